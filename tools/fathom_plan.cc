@@ -11,7 +11,6 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
-#include "fathom/planning/ardusub_script.h"
 #include "fathom/planning/experiment_plan.h"
 #include "fathom/planning/open_causes.h"
 #include "fathom/planning/plan_experiment.h"
@@ -20,6 +19,7 @@
 #include "fathom/planning/plan_page.h"
 #include "fathom/planning/plan_text.h"
 #include "fathom/planning/thruster_files.h"
+#include "fathom/planning/thruster_reach.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
 #include "fathom/signal/signals.h"
@@ -120,7 +120,7 @@ const ToolInfo kInfo = {
         "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
         "they "
         "tell counts as flown already. "
-        "A model of several DOFs gives a wrench on several axes at once; --vehicle, --log and "
+        "A model of several DOFs gives a wrench on several axes at once; --log and "
         "--verdict are of one DOF. "
         "--ordinary plans nothing: it says which stretches of the logs, cut at 30 to 120 s, tell "
         "the parameters about as well as all of them, and what manoeuvre or recorded channel the "
@@ -151,17 +151,24 @@ std::string InputFile() {
   return FLAGS_model.empty() ? FLAGS_verdict : FLAGS_model;
 }
 
+void RequireVehicleForVoltage() {
+  if (!FLAGS_vehicle.empty() || std::isnan(FLAGS_voltage)) return;
+  throw InputError("--voltage: goes with --vehicle, expected none without it.");
+}
+
 // Nothing without --vehicle.
 std::optional<Vehicle> VehicleFromFlag() {
-  if (!FLAGS_vehicle.empty()) return ReadVehicleFile(FLAGS_vehicle);
-  if (std::isnan(FLAGS_voltage)) return std::nullopt;
-  throw InputError("--voltage: goes with --vehicle, expected none without it.");
+  RequireVehicleForVoltage();
+  if (FLAGS_vehicle.empty()) return std::nullopt;
+  return ReadVehicleFile(FLAGS_vehicle);
 }
 
 void AddThrusters(const Vehicle& vehicle, PlanRequest* request) {
   request->vehicle = FLAGS_vehicle;
-  request->thrusters = AllocateAlong(
-      {request->model.dof, FLAGS_voltage, request->limits.thruster_force}, vehicle, FLAGS_vehicle);
+  request->thrusters =
+      AllocateAlong({request->model.dof, {FLAGS_voltage, request->limits.thruster_force}},
+                    vehicle,
+                    FLAGS_vehicle);
   FitForceToThrusters(FLAGS_limits, request);
 }
 
@@ -233,9 +240,8 @@ PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicl
   request.seed = FLAGS_seed;
   if (vehicle) {
     AddThrusters(*vehicle, &request);
-  } else if (std::isfinite(request.limits.thruster_force)) {
-    throw InputError(fmt::format(
-        "{}: key 'thruster_force' goes with --vehicle, expected none without it.", FLAGS_limits));
+  } else {
+    RequireNoThrusterForce(FLAGS_limits, request.limits.thruster_force);
   }
   RequirePlannable(request);
   AddFlownLogs(file, &request);
@@ -253,11 +259,9 @@ std::map<std::string, std::string> FilesOf(const PlanRequest& request, const Exp
       {"experiment.yaml", FormatPlannedExperiment(request, plan)},
       {"plan.json", FormatPlan(request, plan)}};
   if (!request.thrusters) return files;
-  files["thrusters.csv"] = FormatPlannedThrusts(plan, *request.thrusters);
-  if (!request.thrusters->HasPulses()) return files;
-  files["pulses.csv"] = FormatPlannedPulses(plan, *request.thrusters);
-  if (!HasArduSubScript(*request.thrusters)) return files;
-  files["plan.lua"] = FormatArduSubScript(request.model.dof, plan, *request.thrusters);
+  files.merge(ThrusterFiles(Name(request.model.dof),
+                            ThrustsOf(plan.command, *request.thrusters),
+                            request.thrusters->thrusters));
   return files;
 }
 
@@ -297,16 +301,21 @@ int RunCoupled(const std::string& file) {
         "counts by its fit: give fathom_identify --dofs these logs too.",
         file));
   }
-  for (const char* flag : {"verdict", "vehicle", "dof", "held_out", "velocity", "correct"}) {
+  for (const char* flag : {"verdict", "dof", "held_out", "velocity", "correct"}) {
     if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
     throw InputError(fmt::format(
         "--{}: goes with a model of one DOF, expected none: {} is of several DOFs.", flag, file));
   }
-  if (!std::isnan(FLAGS_voltage)) {
-    throw InputError("--voltage: goes with --vehicle, expected none without it.");
-  }
-  return RunCoupledPlan(
-      {file, FLAGS_limits, FLAGS_dofs, FLAGS_duration, FLAGS_seed, FLAGS_out, FLAGS_report});
+  RequireVehicleForVoltage();
+  return RunCoupledPlan({file,
+                         FLAGS_limits,
+                         FLAGS_dofs,
+                         FLAGS_duration,
+                         FLAGS_seed,
+                         FLAGS_vehicle,
+                         FLAGS_voltage,
+                         FLAGS_out,
+                         FLAGS_report});
 }
 
 int Run() {

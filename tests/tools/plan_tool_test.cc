@@ -658,6 +658,7 @@ TEST(PlanTool, PlansAWrenchForACoupledModel) {
   const auto plan = JsonOf(inputs.At("plan/plan.json"));
   const auto next = JsonOf(inputs.At("next.json"));
   EXPECT_EQ(plan.at("schema"), "fathom-plan-2");
+  EXPECT_EQ(plan.at("velocity").at("noise_source").at("yaw"), "log");
   std::vector<double> ratios;
   for (const auto& [name, entry] : plan.at("parameters").items()) {
     ratios.push_back(next.at("parameters").at(name).at("std").get<double>() /
@@ -667,6 +668,43 @@ TEST(PlanTool, PlansAWrenchForACoupledModel) {
   EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.25);
 }
 
+// The boat with the thrusters of a BlueROV2: what they push by arithmetic of the test.
+TEST(PlanTool, WritesWhatTheThrustersDoUnderAWrench) {
+  const CoupledInputFiles inputs;
+  const std::string heavy = "--vehicle=" FATHOM_DATA_DIR "/vehicles/bluerov2_heavy.yaml";
+  WriteTestFile(inputs.lake,
+                "force: {surge: 40, sway: 40, yaw: 8}\nspeed: {surge: 0.8, sway: 0.6}\n"
+                "thruster_force: 20\n");
+  const ToolRun run =
+      RunsWell(inputs.Plan({"--duration=20", "--voltage=16", heavy, "--out=" + inputs.At("plan")}));
+  EXPECT_THAT(run.out, HasSubstr("note: The plan takes at most "));
+  const CsvColumns wrench = ReadColumns(inputs.At("plan/command.csv"));
+  const CsvColumns thrusts = ReadColumns(inputs.At("plan/thrusters.csv"));
+  ASSERT_EQ(thrusts.rows.size(), wrench.rows.size());
+  ASSERT_EQ(thrusts.names.size(), 9U);
+  for (std::size_t i = 0; i < thrusts.rows.size(); ++i) {
+    const std::vector<double>& t = thrusts.rows[i];
+    EXPECT_EQ(t[0], wrench.rows[i][0]);
+    for (std::size_t k = 1; k < t.size(); ++k) EXPECT_LE(std::abs(t[k]), 20.0);
+    const double level = std::sqrt(0.5);
+    EXPECT_NEAR(level * (-t[1] - t[2] + t[3] + t[4]), wrench.rows[i][1], 1e-4);
+    EXPECT_NEAR(level * (t[1] - t[2] + t[3] - t[4]), wrench.rows[i][2], 1e-4);
+    // Arms of 0.156 m and 0.111 m: each of the four turns by their sum.
+    EXPECT_NEAR(level * 0.267 * (t[1] - t[2] - t[3] + t[4]), wrench.rows[i][3], 1e-4);
+    EXPECT_NEAR(t[5] + t[6] + t[7] + t[8], 0.0, 1e-4);
+  }
+  EXPECT_EQ(ReadColumns(inputs.At("plan/pulses.csv")).rows.back()[1], 1500.0);
+  EXPECT_THAT(TextOf(inputs.At("plan/plan.lua")),
+              HasSubstr("-- Planned by fathom_plan: surge, sway, yaw for 20 s, at 16 V."));
+  const auto thruster = JsonOf(inputs.At("plan/plan.json")).at("thrusters").at(0);
+  EXPECT_EQ(thruster.at("name"), "front_starboard");
+  EXPECT_NEAR(thruster.at("share").at("surge"), -std::sqrt(0.125), 1e-6);
+  EXPECT_EQ(thruster.at("range"), (std::vector<double>{-20.0, 20.0}));
+  const ToolRun without = inputs.Plan({"--duration=20"});
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_THAT(without.err, HasSubstr(inputs.lake + ": key 'thruster_force' goes with --vehicle"));
+}
+
 TEST(PlanTool, RefusesWhatACoupledModelIsNotPlannedWith) {
   const CoupledInputFiles inputs;
   const auto refused = [&](const std::vector<std::string>& flags, const std::string& why) {
@@ -674,7 +712,8 @@ TEST(PlanTool, RefusesWhatACoupledModelIsNotPlannedWith) {
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_THAT(run.err, HasSubstr(why));
   };
-  refused({"--duration=30", inputs.vehicle}, "--vehicle: goes with a model of one DOF");
+  refused({"--duration=30", inputs.vehicle}, "planar_rov.yaml: has no thrusters, expected some");
+  refused({"--duration=30", "--voltage=16"}, "--voltage: goes with --vehicle");
   refused({"--duration=30", "--log=" + inputs.At("first")}, "--log: goes with a model of one DOF");
   refused({"--duration=1"}, "--duration: is 1 s, expected 5 to 3600 s.");
   refused({}, "--duration: is missing, expected seconds, or `minutes` in ");

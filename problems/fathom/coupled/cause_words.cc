@@ -93,8 +93,8 @@ std::string Meaning(const FreeEntry& entry) {
                        Acts(entry.column));
   }
   if (IsEffect(entry)) {
-    return fmt::format("{}: {}",
-                       entry.kind == Kind::kEffect ? std::string(Name(entry.row)) : "All thrusters",
+    return fmt::format("In {}, {}",
+                       entry.kind == Kind::kEffect ? Name(entry.row) : "every thruster",
                        entry.effect->info().cause);
   }
   return fmt::format("A velocity in {} makes {}", Name(entry.column), Acts(entry.row));
@@ -169,10 +169,11 @@ std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
       break;
   }
   if (missed.empty()) {
-    return "No coupling and no fault of a thruster or a fin is in the data, but a red finding "
-           "speaks against them.";
+    return "No coupling, no effect and no fault of a thruster or a fin is in the data, but a red "
+           "finding speaks against them.";
   }
-  return "No coupling and no fault of a thruster or a fin explains what is missing." + missed;
+  return "No coupling, no effect and no fault of a thruster or a fin explains what is missing." +
+         missed;
 }
 
 std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
@@ -219,8 +220,8 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
   }
   if (!diagnosis.missed.empty()) {
     steps.push_back(
-        fmt::format("Run fathom_diagnose --dof on each of {}: effects of the actuators, the water "
-                    "and the sensors are in the models of one DOF.",
+        fmt::format("Run fathom_diagnose --dof on each of {}: more effects of the actuators, "
+                    "the water and the sensors are in the models of one DOF.",
                     NamesOf(diagnosis.missed)));
   }
   if (std::ranges::any_of(diagnosis.findings,

@@ -206,6 +206,11 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   fitted.covariance = result.covariance;
   fitted.force_unit = unit_fin.value_or(identified.data.front().force_unit);
   fitted.horizon = fit.window;
+  for (const ChannelNoise& noise : result.noise) {
+    if (noise.channel.kind != FittedChannel::Kind::kVelocity) continue;
+    const auto row = static_cast<std::size_t>(noise.channel.row);
+    fitted.residual_autoregression[row] = noise.whitener.coefficients();
+  }
   if (unit_fin) {
     fitted.caveats.push_back(fmt::format(
         "Nothing of a known force drives {}: forces are in units of fin_force.{}, which "

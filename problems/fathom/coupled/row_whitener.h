@@ -25,6 +25,8 @@ class RowWhitener {
   // The rows of one piece, consecutive samples, any number of columns.
   void Apply(Eigen::Ref<RowMajorRows> rows) const;
 
+  // Of the noise: phi_1 ...
+  const std::vector<double>& coefficients() const { return predictors_.back(); }
   int order() const { return static_cast<int>(predictors_.size()) - 1; }
 
  private:

@@ -41,6 +41,7 @@ CoupledCommand SinesOf(const std::vector<WrenchAxis>& axes,
 AxisSines LargestAxisSines(const CoupledModel& model,
                            const std::vector<WrenchAxis>& axes,
                            const CoupledLimits& limits,
+                           const std::optional<WrenchAllocation>& thrusters,
                            double duration) {
   AxisSines sines;
   sines.amplitude.assign(axes.size(), 0.0);
@@ -49,7 +50,9 @@ AxisSines LargestAxisSines(const CoupledModel& model,
   for (std::size_t k = 0; k < axes.size(); ++k) {
     for (int share = kSineShares; share >= 0; --share) {
       sines.amplitude[k] = (axes[k].force - std::abs(axes[k].holding)) * share / kSineShares;
-      const auto run = WrenchMotion(model, SinesOf(axes, sines.amplitude, hold, duration), stamps);
+      const CoupledCommand command = SinesOf(axes, sines.amplitude, hold, duration);
+      if (thrusters && !thrusters->Gives(command)) continue;
+      const auto run = WrenchMotion(model, command, stamps);
       if (run && KeepsLimits(*run, limits)) break;
     }
   }

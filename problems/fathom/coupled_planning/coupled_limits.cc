@@ -77,6 +77,7 @@ CoupledLimits ParseCoupledLimits(const std::string& name, const std::string& tex
                    ValueRange{-DistanceOf(*distance, "up"), DistanceOf(*distance, "down")}};
   }
   if (file.Has("tilt")) limits.tilt = NumberWithin(file, "tilt", 1e-3, std::numbers::pi);
+  if (file.Has("thruster_force")) limits.thruster_force = Positive(file, "thruster_force");
   limits.shortest_hold =
       NumberWithin(file, "shortest_hold", kLeastHold, kGreatestHold, limits.shortest_hold);
   if (file.Has("minutes"))

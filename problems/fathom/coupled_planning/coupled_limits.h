@@ -29,6 +29,7 @@ struct CoupledLimits {
                                     ValueRange{-kNoLimit, kNoLimit},
                                     ValueRange{-kNoLimit, kNoLimit}};
   double tilt = kNoLimit;               // greatest angle to the upright [rad]
+  double thruster_force = kNoLimit;     // greatest of each thruster, either way [N]
   double shortest_hold = 1.0;           // of one force: the period of the command [s]
   std::optional<double> duration = {};  // [s]
 

@@ -3,9 +3,10 @@
 
 #include "fathom/coupled_planning/coupled_plan_files.h"
 
+#include "fathom/planning/experiment_head.h"
 #include "fathom/planning/ordinary_sine.h"
+#include "fathom/planning/plan_entries.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -28,23 +29,24 @@ CoupledJson ByName(const std::array<double, 6>& values) {
   return json;
 }
 
-CoupledJson RoomJson(const CoupledLimits& limits) {
-  CoupledJson json = CoupledJson::array();
-  for (const ValueRange& range : limits.room) json.push_back({range.low, range.high});
-  return json;
+// How the velocities are measured, of each modelled DOF.
+CoupledJson VelocityJson(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  CoupledJson colour = CoupledJson::object(), source = CoupledJson::object();
+  for (const Dof dof : request.model.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    colour[std::string(Name(dof))] = plan.colour[at];
+    source[std::string(Name(dof))] = Name(plan.noise_source[at]);
+  }
+  return {{"rate", plan.rate},
+          {"noise", ByName(plan.noise)},
+          {"colour", colour},
+          {"noise_source", source}};
 }
 
-CoupledJson EntriesJson(const CoupledPlan& plan) {
-  CoupledJson entries = CoupledJson::object();
-  for (const PlannedParameter& entry : plan.parameters) {
-    entries[entry.name] = {{"value", entry.value},
-                           {"std_before", entry.before},
-                           {"std_after", entry.after},
-                           {"std_with_log_so_far", entry.with_log_so_far},
-                           {"std_after_sine", entry.sine},
-                           {"unit", entry.unit}};
-  }
-  return entries;
+CoupledJson RoomJson(const CoupledLimits& limits) {
+  CoupledJson json = CoupledJson::array();
+  for (const ValueRange& range : limits.room) json.push_back(JsonOfRange<CoupledJson>(range));
+  return json;
 }
 
 CoupledJson WrenchBlocksJson(const CoupledPlan& plan, double hold) {
@@ -71,6 +73,23 @@ CoupledJson AxisSinesJson(const CoupledPlan& plan) {
   return {{"amplitude", amplitude}, {"frequency", kSineFrequency}};
 }
 
+// Of each thruster its part in each DOF.
+CoupledJson SharesJson(const CoupledPlan& plan) {
+  CoupledJson list = CoupledJson::array();
+  if (!plan.thrusters) return list;
+  const ThrusterSet& thrusters = plan.thrusters->thrusters();
+  for (std::size_t k = 0; k < thrusters.names.size(); ++k) {
+    CoupledJson share = CoupledJson::object();
+    for (std::size_t i = 0; i < plan.axes.size(); ++i) {
+      share[std::string(Name(plan.axes[i].dof))] = plan.thrusters->along[i].share[k];
+    }
+    list.push_back({{"name", thrusters.names[k]},
+                    {"share", share},
+                    {"range", JsonOfRange<CoupledJson>(thrusters.range[k])}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPlan& plan) {
@@ -86,13 +105,15 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                               {"speed", ByName(request.limits.speed)},
                               {"distance", RoomJson(request.limits)},
                               {"tilt", request.limits.tilt},
+                              {"thruster_force", request.limits.thruster_force},
                               {"shortest_hold", request.limits.shortest_hold}}},
-                            {"velocity", {{"rate", plan.rate}, {"noise", ByName(plan.noise)}}},
+                            {"velocity", VelocityJson(request, plan)},
                             {"models", plan.num_models},
                             {"share_breaking", plan.share_breaking},
-                            {"parameters", EntriesJson(plan)},
+                            {"parameters", JsonOfParameters<CoupledJson>(plan.parameters)},
                             {"left_out", plan.left_out},
                             {"sine", AxisSinesJson(plan)},
+                            {"thrusters", SharesJson(plan)},
                             {"blocks", WrenchBlocksJson(plan, request.limits.shortest_hold)}};
   return json.dump(2, ' ', false, CoupledJson::error_handler_t::replace) + "\n";
 }
@@ -112,16 +133,7 @@ std::string FormatWrenchCommand(const CoupledPlan& plan) {
 }
 
 std::string FormatWrenchExperiment(const CoupledPlanRequest& request, const CoupledPlan& plan) {
-  // Whole periods of the command in a cell, ten a second or more.
-  const double hold = request.limits.shortest_hold;
-  const double rate = std::max(1.0, std::ceil(10.0 * hold - 1e-9)) / hold;
-  std::string text = fmt::format(
-      "# Planned by fathom_plan: fathom_synthesize plays the command.csv beside this file.\n"
-      "name: planned_wrench\n"
-      "duration: {}\n"
-      "command_rate: {}\n",
-      plan.duration,
-      rate);
+  std::string text = ExperimentHead("planned_wrench", plan.duration, request.limits.shortest_hold);
   for (const WrenchAxis& axis : plan.axes) {
     text += fmt::format("{}: {{control: open_loop, input: {{kind: file, file: command.csv}}}}\n",
                         Name(axis.dof));

@@ -6,6 +6,7 @@
 #include "fathom/planning/ordinary_sine.h"
 #include "fathom/planning/plan_search.h"
 #include "fathom/planning/plan_text.h"
+#include "fathom/planning/thruster_text.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +19,6 @@
 
 namespace fathom {
 namespace {
-
-std::vector<std::string_view> NamesOfAxes(const CoupledPlan& plan) {
-  std::vector<std::string_view> names;
-  for (const WrenchAxis& axis : plan.axes) names.push_back(Name(axis.dof));
-  return names;
-}
 
 // How much narrower the run makes an interval than a sine on each axis; couplings near 0 have no
 // share of themselves to be known to.
@@ -58,12 +53,59 @@ std::vector<std::string> ReachesOf(const std::vector<Dof>& dofs, const CoupledPl
   return reaches;
 }
 
+// The modelled DOFs whose noise is known by this: "surge, yaw".
+std::string NamesOfNoiseBy(NoiseSource source,
+                           const CoupledPlanRequest& request,
+                           const CoupledPlan& plan) {
+  std::vector<std::string_view> names;
+  for (const Dof dof : request.model.model.dofs) {
+    if (plan.noise_source[static_cast<std::size_t>(Index(dof))] == source) {
+      names.push_back(Name(dof));
+    }
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// What noise the intervals hold for, and by what it is known.
+std::string NoiseComment(const CoupledPlanRequest& request, const CoupledPlan& plan) {
+  std::vector<std::string> noise;
+  for (const Dof dof : request.model.model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    noise.push_back(fmt::format("{} {:.2g} {}", Name(dof), plan.noise[at], VelocityUnit(dof)));
+  }
+  std::string text =
+      fmt::format("The intervals hold for noise of {} on {:.3g} velocities a second.",
+                  fmt::join(noise, ", "),
+                  plan.rate);
+  if (const auto names = NamesOfNoiseBy(NoiseSource::kLog, request, plan); !names.empty()) {
+    text += fmt::format(" Of {} it is as large and as coloured as the log shows.", names);
+  }
+  if (const auto names = NamesOfNoiseBy(NoiseSource::kLimits, request, plan); !names.empty()) {
+    text += fmt::format(" Of {} it is white, as large as the limits file says.", names);
+  }
+  if (const auto names = NamesOfNoiseBy(NoiseSource::kLogTakenAsWhite, request, plan);
+      !names.empty()) {
+    text += fmt::format(
+        " Of {} it is taken as white, as large as the log shows: {} does not hold its colour. "
+        "Coloured noise widens the intervals.",
+        names,
+        request.name);
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string NamesOfAxes(const CoupledPlan& plan) {
+  std::vector<std::string_view> names;
+  for (const WrenchAxis& axis : plan.axes) names.push_back(Name(axis.dof));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
 std::string CoupledPlanSentence(const CoupledPlan& plan) {
   if (!plan.IsUsable()) return plan.message;
-  const std::string text = fmt::format(
-      "Command {} for {:g} s as planned.", fmt::join(NamesOfAxes(plan), ", "), plan.duration);
+  const std::string text =
+      fmt::format("Command {} for {:g} s as planned.", NamesOfAxes(plan), plan.duration);
   std::vector<double> gains;
   std::vector<std::string> open;
   for (const PlannedParameter& entry : plan.parameters) {
@@ -92,12 +134,8 @@ std::string CoupledPlanSentence(const CoupledPlan& plan) {
 
 std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
                                              const CoupledPlan& plan) {
-  std::vector<std::string> noise, amplitudes, held;
-  double is_given = 0.0;
+  std::vector<std::string> amplitudes, held;
   for (const Dof dof : request.model.model.dofs) {
-    const auto at = static_cast<std::size_t>(Index(dof));
-    noise.push_back(fmt::format("{} {:.2g} {}", Name(dof), plan.noise[at], VelocityUnit(dof)));
-    is_given += std::isnan(request.limits.noise[at]) ? 0.0 : 1.0;
     const bool is_driven = std::any_of(plan.axes.begin(),
                                        plan.axes.end(),
                                        [&](const WrenchAxis& axis) { return axis.dof == dof; });
@@ -116,11 +154,7 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
           kCoastAfterwards,
           100.0 * plan.share_breaking,
           plan.num_models),
-      fmt::format("The intervals hold for white noise of {} on {:.3g} velocities a second{}; "
-                  "coloured noise widens them.",
-                  fmt::join(noise, ", "),
-                  plan.rate,
-                  is_given > 0.0 ? "" : ", as large as the log shows"),
+      NoiseComment(request, plan),
       fmt::format("The ordinary sines: {} at {:g} rad/s, as much as the limits leave.",
                   fmt::join(amplitudes, ", "),
                   kSineFrequency)};
@@ -131,6 +165,17 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
     comments.push_back(fmt::format(
         "Left out, since a wrench tells nothing of single thrusters, fins and clocks: {}.",
         fmt::join(plan.left_out, ", ")));
+  }
+  if (plan.thrusters) {
+    const auto add = [&](const std::vector<std::string>& lines) {
+      comments.insert(comments.end(), lines.begin(), lines.end());
+    };
+    add(UseOfThrusters(ThrustsOf(plan.command, *plan.thrusters),
+                       plan.thrusters->thrusters(),
+                       request.vehicle_name));
+    for (std::size_t k = 0; k < plan.axes.size(); ++k) {
+      add(MomentsToRight(plan.axes[k].dof, plan.thrusters->along[k]));
+    }
   }
   return comments;
 }

@@ -12,6 +12,9 @@
 namespace fathom {
 
 // What to do and what comes of it, in one sentence or two.
+// The commanded DOFs: "surge, sway, yaw".
+std::string NamesOfAxes(const CoupledPlan& plan);
+
 std::string CoupledPlanSentence(const CoupledPlan& plan);
 
 // What the vehicle will do within the limits, and what was assumed: a sentence each.

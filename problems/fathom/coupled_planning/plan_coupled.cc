@@ -6,15 +6,15 @@
 #include "fathom/base/input_error.h"
 #include "fathom/coupled_planning/axis_sines.h"
 #include "fathom/coupled_planning/coupled_forecast.h"
+#include "fathom/coupled_planning/coupled_noise.h"
 #include "fathom/coupled_planning/drawn_coupled_models.h"
 #include "fathom/coupled_planning/wrench_search.h"
+#include "fathom/coupled_planning/wrench_thrusters.h"
 #include "fathom/planning/information.h"
-#include "fathom/planning/plan_limits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -31,11 +31,8 @@ constexpr int kNumCoupledInCheck = 200;
 constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
 constexpr int kNumCoupledTrials = 3;      // with limits narrower from one to the next
 constexpr double kNarrowerForNext = 0.9;
-constexpr int kFewerMovesForNext = 4;          // so that planning takes seconds still
-constexpr double kLongestCoupledPeriod = 0.1;  // of the stamps in the search [s]
-constexpr int kMostCoupledStamps = 3000;
-constexpr double kWeightSoFar = 0.03;    // w of docs/plan.md (2)
-constexpr double kDefaultWindow = 20.0;  // of a fit [s]
+constexpr int kFewerMovesForNext = 4;  // so that planning takes seconds still
+constexpr double kWeightSoFar = 0.03;  // w of docs/plan.md (2)
 
 // How many columns of sensitivities are integrated in all, so that planning takes seconds.
 constexpr double kCoupledWork = 7e5;  // [s]
@@ -96,44 +93,6 @@ std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
       "{}: key 'force' names no DOF, expected one to command at the least.", request.limits_name));
 }
 
-// How the velocities will be measured: as the limits say, else as the fit shows it.
-void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan) {
-  plan->rate = request.limits.rate;
-  for (const Dof dof : request.model.model.dofs) {
-    const auto at = static_cast<std::size_t>(Index(dof));
-    const FitFigures& fit = request.model.train[at];
-    if (std::isnan(plan->rate)) plan->rate = fit.num_samples / fit.duration;
-    // The mean size of a normal number is sqrt(2 / pi) of its standard deviation.
-    const double given = request.limits.noise[at];
-    plan->noise[at] = std::isnan(given) ? std::sqrt(std::numbers::pi / 2.0) * fit.mae : given;
-    RequireMeasured(request.name,
-                    plan->noise[at],
-                    CoupledLimits::kNoLimit,
-                    fmt::format("how much its fit missed of {}", Name(dof)),
-                    fmt::format("noise: {{{}: 0.01}}", Name(dof)));
-  }
-  RequireMeasured(request.name,
-                  plan->rate,
-                  kGreatestRate,
-                  "how often its log measured the velocities",
-                  "rate: 10");
-}
-
-// A stamp of the search stands for the velocities measured in its period. A window holds one at
-// least.
-WrenchMeasurement MeasurementFor(const CoupledPlanRequest& request, const CoupledPlan& plan) {
-  const double longest = std::max(kLongestCoupledPeriod, plan.duration / kMostCoupledStamps);
-  const int num_samples = std::max(1, static_cast<int>(std::round(longest * plan.rate)));
-  WrenchMeasurement measurement = {num_samples / plan.rate, plan.noise, kDefaultWindow};
-  for (double& noise : measurement.noise) noise /= std::sqrt(num_samples);
-  const double horizon = request.model.horizon;
-  const double window = std::isfinite(horizon) && horizon > 0.0
-                            ? std::max(horizon, measurement.period)
-                            : kDefaultWindow;
-  measurement.window = plan.duration / std::max(1.0, std::round(plan.duration / window));
-  return measurement;
-}
-
 // Numbers of one thruster or one fin, of which a wrench tells nothing, and what two clocks differ
 // by.
 bool IsLeftOut(const FreeEntry& entry) {
@@ -164,6 +123,7 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
                         const ToldEntries& told) {
   WrenchTask task;
   task.axes = plan.axes;
+  task.thrusters = plan.thrusters;
   task.limits = request.limits;
   task.duration = plan.duration;
   task.seed = request.seed;
@@ -230,6 +190,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   }
   CoupledPlan plan;
   plan.axes = AxesOf(request);
+  plan.thrusters = WrenchThrusters(request, plan.axes);
   SetMeasurement(request, &plan);
   const double hold = request.limits.shortest_hold;
   plan.duration = hold * std::max(1.0, std::round(request.duration / hold));
@@ -245,12 +206,11 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   WrenchTask task = TaskOfWrench(request, plan, told);
   task.models = std::move(models);
   if (!FillBlocks(request, others, task, &plan)) {
-    plan.message =
-        "No command was found that keeps the limits for 95 % of the models that the log allows. "
-        "Give it more room, less time, or a model of narrower intervals.";
+    plan.message = kNoCommandKeepsLimits;
     return plan;
   }
-  AxisSines sines = LargestAxisSines(request.model.model, plan.axes, request.limits, plan.duration);
+  AxisSines sines = LargestAxisSines(
+      request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
   plan.sine = std::move(sines.command);
   plan.sine_amplitude = std::move(sines.amplitude);
   ForecastEntries(

@@ -3,6 +3,7 @@
 
 #include "fathom/coupled_planning/wrench_run.h"
 
+#include "fathom/coupled/row_whitener.h"
 #include "fathom/planning/information.h"
 #include "fathom/planning/planned_motion.h"
 
@@ -27,31 +28,35 @@ std::vector<Eigen::Index> StartColumns(const CoupledModel& model, std::size_t nu
   return columns;
 }
 
-// Rows of unit noise: of each stamp, the modelled DOFs.
+// Rows of unit noise, DOF by DOF.
 MotionDerivatives WhitenedRows(const CoupledModel& model,
                                std::size_t num_entries,
                                const CoupledOutputs& outputs,
                                const WrenchMeasurement& measurement) {
   const std::vector<Eigen::Index> start = StartColumns(model, num_entries);
   const auto num_parameters = static_cast<Eigen::Index>(num_entries);
-  const auto num_rows = static_cast<Eigen::Index>(outputs.velocity.size() * model.dofs.size());
-  MotionDerivatives rows;
-  rows.by_parameter.resize(num_rows, num_parameters);
-  rows.by_start.resize(num_rows, static_cast<Eigen::Index>(start.size()));
-  Eigen::Index at = 0;
-  for (std::size_t stamp = 0; stamp < outputs.velocity.size(); ++stamp) {
-    for (const Dof dof : model.dofs) {
-      const auto from = 6 * static_cast<Eigen::Index>(stamp) + Index(dof);
-      const double scale = 1.0 / measurement.noise[static_cast<std::size_t>(Index(dof))];
-      const auto row = outputs.velocity_sensitivity.row(from);
-      rows.by_parameter.row(at) = scale * row.head(num_parameters);
+  const auto num_stamps = static_cast<Eigen::Index>(outputs.velocity.size());
+  const auto num_rows = num_stamps * static_cast<Eigen::Index>(model.dofs.size());
+  RowMajorRows white(num_rows, num_parameters + static_cast<Eigen::Index>(start.size()));
+  Eigen::Index from = 0;
+  for (const Dof dof : model.dofs) {
+    const auto at = static_cast<std::size_t>(Index(dof));
+    auto block = white.middleRows(from, num_stamps);
+    for (Eigen::Index stamp = 0; stamp < num_stamps; ++stamp) {
+      const auto row = outputs.velocity_sensitivity.row(6 * stamp + Index(dof));
+      block.row(stamp).head(num_parameters) = row.head(num_parameters);
       for (std::size_t k = 0; k < start.size(); ++k) {
-        rows.by_start(at, static_cast<Eigen::Index>(k)) = scale * row[start[k]];
+        block(stamp, num_parameters + static_cast<Eigen::Index>(k)) = row[start[k]];
       }
-      ++at;
     }
+    block /= measurement.noise[at];
+    if (measurement.colour[at].order() > 0) RowWhitener(measurement.colour[at]).Apply(block);
+    from += num_stamps;
   }
-  return rows;
+  return {.by_parameter = white.leftCols(num_parameters),
+          .by_start = white.rightCols(static_cast<Eigen::Index>(start.size())),
+          .displacement_by_parameter = {},
+          .displacement_by_start = {}};
 }
 
 // All that a window depends on.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/signal/filters/autoregression.h"
 #include "fathom/simulate/coupled/coupled_simulation.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
@@ -20,8 +21,12 @@ namespace fathom {
 // How a run will be measured and fitted.
 struct WrenchMeasurement {
   double period = 0.1;               // of the stamps [s]
-  std::array<double, 6> noise = {};  // at each, white, by Index(Dof) [m/s] or [rad/s]
+  std::array<double, 6> noise = {};  // at each, by Index(Dof) [m/s] or [rad/s]
   double window = 20.0;              // the fit begins its simulation anew after so long [s]
+
+  // Of the noise over the stamps, with stationary variance 1; of order 0: white. The fit weighs by
+  // it.
+  std::array<Autoregression, 6> colour = {};
 };
 
 // What a model does under a wrench from t = 0 on, at rest and upright there. Nothing if the run

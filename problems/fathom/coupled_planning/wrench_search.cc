@@ -4,6 +4,7 @@
 #include "fathom/coupled_planning/wrench_search.h"
 
 #include "fathom/base/parallel_for.h"
+#include "fathom/coupled_planning/given_block.h"
 #include "fathom/coupled_planning/kept_wrench.h"
 #include "fathom/planning/information.h"
 
@@ -53,11 +54,11 @@ class WrenchSearch {
   void Improve(int num_moves, FoundWrench* found) {
     for (int move = 0; move < num_moves; ++move) {
       WrenchBlocks changed = Changed(found->blocks);
-      bool is_kept = kept_.KeptByFirst(AsCommand(changed));
+      bool is_kept = IsKeptByFirst(AsCommand(changed));
       // It costs little to see that a limit is broken.
       for (int trial = 1; trial < kMostTrialsOfMove && !is_kept; ++trial) {
         changed = Changed(found->blocks);
-        is_kept = kept_.KeptByFirst(AsCommand(changed));
+        is_kept = IsKeptByFirst(AsCommand(changed));
       }
       if (!is_kept) continue;
       const double value = MeasureOf(changed);
@@ -79,6 +80,15 @@ class WrenchSearch {
     return CommandOf(task_.axes, blocks, hold_);
   }
 
+  // Given by the thrusters, and kept within the limits by the first model.
+  bool IsKeptByFirst(const CoupledCommand& command) {
+    return (!task_.thrusters || task_.thrusters->Gives(command)) && kept_.KeptByFirst(command);
+  }
+
+  void LowerToThrustersOfTask(WrenchBlock* block) const {
+    if (task_.thrusters) LowerToThrusters(task_.axes, *task_.thrusters, block);
+  }
+
   // Uniform in its logarithm: many short ones, few long ones.
   int DrawLength(int most) {
     return std::clamp(
@@ -86,7 +96,10 @@ class WrenchSearch {
   }
 
   WrenchBlock Draw(int num_cells) {
-    return DrawWrenchBlock(task_.axes, num_cells, std::max(1, longest_block_ / 2), random_);
+    WrenchBlock block =
+        DrawWrenchBlock(task_.axes, num_cells, std::max(1, longest_block_ / 2), random_);
+    LowerToThrustersOfTask(&block);
+    return block;
   }
 
   // With one more, behind which the vehicle is left where it is to the end.
@@ -108,7 +121,7 @@ class WrenchSearch {
     for (int i = 0; i < task_.drawn_per_block; ++i) {
       const WrenchBlock block = Draw(DrawLength(most));
       const WrenchBlocks extended = With(*blocks, block);
-      if (!kept_.KeptByFirst(AsCommand(WithRest(extended)))) continue;
+      if (!IsKeptByFirst(AsCommand(WithRest(extended)))) continue;
       const double value = MeasureOf(extended);
       if (std::isfinite(value)) drawn.emplace_back((value - so_far) / block.num_cells, block);
     }
@@ -137,6 +150,7 @@ class WrenchSearch {
       block = Draw(block.num_cells);
     } else if (choice < 0.6) {
       ChangeAxis(&block);
+      LowerToThrustersOfTask(&block);
     } else if (choice < 0.75) {
       MoveBorderBehind(place, &blocks);
     } else if (choice < 0.9 && block.num_cells > 1) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/coupled_planning/coupled_limits.h"
+#include "fathom/coupled_planning/wrench_allocation.h"
 #include "fathom/coupled_planning/wrench_block.h"
 #include "fathom/coupled_planning/wrench_run.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,6 +24,8 @@ struct WrenchTask {
   CoupledLimits limits;
   double duration = 0.0;             // [s], of whole cells
   std::vector<CoupledModel> models;  // that must keep the limits, all of them
+  // That must give the wrench; they must give the one that holds every axis. None: any are taken.
+  std::optional<WrenchAllocation> thrusters = {};
 
   // A command is worth ln det(M + so_far), M what the first of `models` tells of the entries.
   std::vector<FreeEntry> entries;

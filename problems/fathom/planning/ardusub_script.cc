@@ -19,15 +19,15 @@ constexpr std::array<int, 12> kMotorFunctions = {33, 34, 35, 36, 37, 38, 39, 40,
 constexpr double kLongestUpdate = 20.0;  // between two calls of the script [ms]
 
 // Milliseconds from the start and the pulses from then on, where these change.
-std::string RowsOfScript(const ExperimentPlan& plan, const ThrusterAllocation& thrusters) {
+std::string RowsOfScript(const PlannedThrusts& plan, const ThrusterSet& thrusters) {
   std::string rows;
   std::vector<int> last;
   // The last row of a command is its end.
-  for (std::size_t i = 0; i + 1 < plan.command.time.size(); ++i) {
-    std::vector<int> pulses = thrusters.PulsesOf(plan.command.value[i]);
+  for (std::size_t i = 0; i + 1 < plan.time.size(); ++i) {
+    std::vector<int> pulses = thrusters.PulsesOf(plan.thrust[i]);
     if (pulses == last) continue;
-    rows += fmt::format(
-        "  {{{}, {}}},\n", std::lround(1e3 * plan.command.time[i]), fmt::join(pulses, ", "));
+    rows +=
+        fmt::format("  {{{}, {}}},\n", std::lround(1e3 * plan.time[i]), fmt::join(pulses, ", "));
     last = std::move(pulses);
   }
   return rows;
@@ -127,17 +127,17 @@ return update, UPDATE_MS
 
 }  // namespace
 
-bool HasArduSubScript(const ThrusterAllocation& thrusters) {
+bool HasArduSubScript(const ThrusterSet& thrusters) {
   return thrusters.HasPulses() && thrusters.names.size() <= kMotorFunctions.size();
 }
 
-std::string FormatArduSubScript(Dof dof,
-                                const ExperimentPlan& plan,
-                                const ThrusterAllocation& thrusters) {
+std::string FormatArduSubScript(std::string_view what,
+                                const PlannedThrusts& plan,
+                                const ThrusterSet& thrusters) {
   const std::vector<int> functions(
       kMotorFunctions.begin(),
       kMotorFunctions.begin() + static_cast<std::ptrdiff_t>(thrusters.names.size()));
-  const double hold = 1e3 * (plan.command.time[1] - plan.command.time[0]);
+  const double hold = 1e3 * (plan.time[1] - plan.time[0]);
   const long update = std::max(1L, std::lround(std::min(kLongestUpdate, hold)));
   std::string text = fmt::format(
       "-- Planned by fathom_plan: {} for {:g} s, at {:g} V. Thruster k is ArduSub's motor k.\n"
@@ -160,14 +160,14 @@ std::string FormatArduSubScript(Dof dof,
       "local FUNCTIONS = {{{}}} -- SERVOn_FUNCTION of the motors\n"
       "local NEUTRAL = {{{}}} -- [us]\n"
       "local ROWS = {{ -- milliseconds from the start, then the pulses from then on [us]\n",
-      Name(dof),
-      plan.duration,
+      what,
+      plan.time.back(),
       thrusters.voltage,
       update,
       10 * update,
-      std::lround(1e3 * plan.command.time.back()),
+      std::lround(1e3 * plan.time.back()),
       fmt::join(functions, ", "),
-      fmt::join(thrusters.PulsesOf(0.0), ", "));
+      fmt::join(thrusters.PulsesOf(std::vector<double>(thrusters.names.size(), 0.0)), ", "));
   return text + RowsOfScript(plan, thrusters) + "}\n" + kPlayer;
 }
 

@@ -3,20 +3,21 @@
 
 #pragma once
 
-#include "fathom/planning/experiment_plan.h"
-#include "fathom/planning/thruster_allocation.h"
+#include "fathom/planning/thruster_set.h"
 
 #include <string>
+#include <string_view>
 
 namespace fathom {
 
 // Whether ArduSub has as many motors as the vehicle thrusters, and each has pulse widths.
-bool HasArduSubScript(const ThrusterAllocation& thrusters);
+bool HasArduSubScript(const ThrusterSet& thrusters);
 
 // A Lua script that ArduSub runs: it plays the pulse widths of a plan, thruster k by the output of
-// motor k, and ends at neutral. docs/plan.md, "On ArduSub". Only where HasArduSubScript().
-std::string FormatArduSubScript(Dof dof,
-                                const ExperimentPlan& plan,
-                                const ThrusterAllocation& thrusters);
+// motor k, and ends at neutral. docs/plan.md, "On ArduSub". `what`: is driven, "surge". Only
+// where HasArduSubScript().
+std::string FormatArduSubScript(std::string_view what,
+                                const PlannedThrusts& plan,
+                                const ThrusterSet& thrusters);
 
 }  // namespace fathom

@@ -9,9 +9,16 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom {
+
+// Where no command is found.
+inline constexpr std::string_view kNoCommandKeepsLimits =
+    "No command was found that keeps the limits for 95 % of the models that the log allows. Give "
+    "it "
+    "more room, less time, or a model of narrower intervals.";
 
 // What an experiment says of one parameter: standard deviations of its estimate.
 struct PlannedParameter {

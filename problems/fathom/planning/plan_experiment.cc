@@ -141,9 +141,7 @@ ExperimentPlan PlanExperiment(const PlanRequest& asked) {
     plan.message.clear();
     return plan;
   }
-  plan.message =
-      "No command was found that keeps the limits for 95 % of the models that the log allows. Give "
-      "it more room, less time, or a model of narrower intervals.";
+  plan.message = kNoCommandKeepsLimits;
   return plan;
 }
 

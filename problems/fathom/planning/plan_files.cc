@@ -3,8 +3,10 @@
 
 #include "fathom/planning/plan_files.h"
 
-#include <algorithm>
-#include <cmath>
+#include "fathom/planning/experiment_head.h"
+#include "fathom/planning/plan_entries.h"
+
+#include <cstddef>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,13 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// No limit and not known are both null.
-Json RangeJson(const ValueRange& range) { return Json::array({range.low, range.high}); }
-
 Json LimitsJson(const PlanLimits& limits) {
   return {{"force", limits.force},
           {"speed", limits.speed},
-          {"distance", RangeJson(limits.distance)},
+          {"distance", JsonOfRange<Json>(limits.distance)},
           {"thruster_force", limits.thruster_force},
           {"shortest_hold", limits.shortest_hold},
           {"position_noise", limits.position.noise}};
@@ -39,26 +38,13 @@ Json BlocksJson(const ExperimentPlan& plan, double hold) {
   return blocks;
 }
 
-Json ParametersJson(const ExperimentPlan& plan) {
-  Json parameters = Json::object();
-  for (const PlannedParameter& parameter : plan.parameters) {
-    parameters[parameter.name] = {{"value", parameter.value},
-                                  {"std_before", parameter.before},
-                                  {"std_after", parameter.after},
-                                  {"std_with_log_so_far", parameter.with_log_so_far},
-                                  {"std_after_sine", parameter.sine},
-                                  {"unit", parameter.unit}};
-  }
-  return parameters;
-}
-
 Json ThrustersJson(const PlanRequest& request) {
   Json list = Json::array();
   if (!request.thrusters) return list;
-  for (std::size_t k = 0; k < request.thrusters->names.size(); ++k) {
-    list.push_back({{"name", request.thrusters->names[k]},
+  for (std::size_t k = 0; k < request.thrusters->thrusters.names.size(); ++k) {
+    list.push_back({{"name", request.thrusters->thrusters.names[k]},
                     {"share", request.thrusters->share[k]},
-                    {"range", RangeJson(request.thrusters->range[k])}});
+                    {"range", JsonOfRange<Json>(request.thrusters->thrusters.range[k])}});
   }
   return list;
 }
@@ -89,9 +75,9 @@ std::string FormatPlan(const PlanRequest& request, const ExperimentPlan& plan) {
       {"velocity", {{"rate", plan.measurement.rate}, {"noise", plan.measurement.noise}}},
       {"models", plan.num_models},
       {"share_breaking", plan.share_breaking},
-      {"speed_range", RangeJson(plan.speed_range)},
-      {"distance_range", RangeJson(plan.distance_range)},
-      {"parameters", ParametersJson(plan)},
+      {"speed_range", JsonOfRange<Json>(plan.speed_range)},
+      {"distance_range", JsonOfRange<Json>(plan.distance_range)},
+      {"parameters", JsonOfParameters<Json>(plan.parameters)},
       {"led_by", plan.led_by},
       {"separations", SeparationsJson(plan)},
       {"sine",
@@ -112,25 +98,19 @@ std::string FormatPlannedCommand(Dof dof, const ExperimentPlan& plan) {
 }
 
 std::string FormatPlannedExperiment(const PlanRequest& request, const ExperimentPlan& plan) {
-  // Whole periods of the command in a cell, ten a second or more.
-  const double hold = request.limits.shortest_hold;
-  const double rate = std::max(1.0, std::ceil(10.0 * hold - 1e-9)) / hold;
-  return fmt::format(
-      "# Planned by fathom_plan: fathom_synthesize plays the command.csv beside this file.\n"
-      "name: planned_{0}\n"
-      "duration: {1}\n"
-      "command_rate: {2}\n"
-      "{0}:\n"
-      "  control: open_loop\n"
-      "  input: {{kind: file, file: command.csv}}\n"
-      "velocity:\n"
-      "  rate: {3:.4g}\n"
-      "  noise: {{{0}: {4:.4g}}}\n",
-      Name(request.model.dof),
-      plan.duration,
-      rate,
-      plan.measurement.rate,
-      plan.measurement.noise);
+  const Dof dof = request.model.dof;
+  return ExperimentHead(
+             fmt::format("planned_{}", Name(dof)), plan.duration, request.limits.shortest_hold) +
+         fmt::format(
+             "{0}:\n"
+             "  control: open_loop\n"
+             "  input: {{kind: file, file: command.csv}}\n"
+             "velocity:\n"
+             "  rate: {1:.4g}\n"
+             "  noise: {{{0}: {2:.4g}}}\n",
+             Name(dof),
+             plan.measurement.rate,
+             plan.measurement.noise);
 }
 
 }  // namespace fathom

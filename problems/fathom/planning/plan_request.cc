@@ -4,7 +4,9 @@
 #include "fathom/planning/plan_request.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/planning/thruster_reach.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,34 +43,12 @@ void RequirePlannable(const PlanRequest& request) {
 
 void FitForceToThrusters(const std::string& limits_name, PlanRequest* request) {
   if (!request->thrusters) return;
-  const ValueRange reach = request->thrusters->reach;
-  const double most = request->thrusters->ReachEachWay();
   const Dof dof = request->model.dof;
-  if (!(most > 0.0)) {
-    throw InputError(
-        fmt::format("{}: its thrusters give {} {:.4g} to {:.4g} {}, expected both ways.",
-                    request->vehicle,
-                    Name(dof),
-                    reach.low,
-                    reach.high,
-                    ForceUnit(dof)));
-  }
-  if (request->limits.force <= most) return;
-  if (!request->limits_are_of_log) {
-    throw InputError(fmt::format(
-        "{}: key 'force' is {:g} {}, expected at most {:.6g}: the thrusters of {} give {} "
-        "{:.4g} to {:.4g} {}.",
-        limits_name,
-        request->limits.force,
-        ForceUnit(dof),
-        most * (1.0 - 1e-5),  // six digits of it are not more than `most`
-        request->vehicle,
-        Name(dof),
-        reach.low,
-        reach.high,
-        ForceUnit(dof)));
-  }
-  request->limits.force = most;
+  RequireBothWays(dof, *request->thrusters, request->vehicle);
+  const double most = request->thrusters->ReachEachWay();
+  if (request->limits_are_of_log) request->limits.force = std::min(request->limits.force, most);
+  RequireWithinReach(
+      {limits_name, "force", request->limits.force}, dof, *request->thrusters, request->vehicle);
 }
 
 VelocityMeasurement MeasurementOf(const PlanRequest& request) {

@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/planning/plan_search.h"
+#include "fathom/planning/thruster_text.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -105,54 +106,6 @@ std::string RangeText(const ValueRange& range, const ValueRange& limit, std::str
   return text;
 }
 
-// How hard the plan drives the thrusters, and what they do besides.
-void AddThrusterComments(const PlanRequest& request,
-                         const ExperimentPlan& plan,
-                         std::vector<std::string>* comments) {
-  const ThrusterAllocation& thrusters = *request.thrusters;
-  const Dof dof = request.model.dof;
-  double hardest = 0.0;
-  std::string name;
-  std::vector<std::string> unknown;
-  for (std::size_t k = 0; k < thrusters.names.size(); ++k) {
-    const ValueRange range = thrusters.range[k];
-    if (std::isinf(range.low) || std::isinf(range.high)) unknown.push_back(thrusters.names[k]);
-    for (const double force : plan.command.value) {
-      const double thrust = thrusters.ThrustsOf(force)[k];
-      const double end = thrust < 0.0 ? range.low : range.high;
-      const double share = thrust == 0.0 ? 0.0 : thrust / end;
-      if (share <= hardest) continue;
-      hardest = share;
-      name = thrusters.names[k];
-    }
-  }
-  if (hardest > 0.0) {
-    comments->push_back(
-        fmt::format("The plan takes at most {:.0f} % of what a thruster gives (`{}`){}.",
-                    100.0 * hardest,
-                    name,
-                    std::isnan(thrusters.voltage) ? std::string()
-                                                  : fmt::format(", at {:g} V", thrusters.voltage)));
-  }
-  if (!unknown.empty()) {
-    comments->push_back(
-        fmt::format("{} does not say how much {} can give: set thruster_force in the limits file.",
-                    request.vehicle,
-                    fmt::join(unknown, ", ")));
-  }
-  for (const auto& [moment, other] :
-       {std::pair{thrusters.roll, Dof::kRoll}, std::pair{thrusters.pitch, Dof::kPitch}}) {
-    if (std::abs(moment) < 1e-9) continue;
-    comments->push_back(fmt::format(
-        "The thrusters cannot but give {} {:.3g} N m for each {} of {} too: the vehicle "
-        "has to right itself.",
-        Name(other),
-        moment,
-        ForceUnit(dof),
-        Name(dof)));
-  }
-}
-
 }  // namespace
 
 std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan) {
@@ -226,7 +179,14 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
         "What the logs of --log tell counts before, after, and after a sine. The values so far are "
         "still the model's: fit all logs together.");
   }
-  if (request.thrusters) AddThrusterComments(request, plan, &comments);
+  if (request.thrusters) {
+    const ThrusterAllocation& allocation = *request.thrusters;
+    const PlannedThrusts thrusts = ThrustsOf(plan.command, allocation);
+    for (const auto& lines : {UseOfThrusters(thrusts, allocation.thrusters, request.vehicle),
+                              MomentsToRight(dof, allocation)}) {
+      comments.insert(comments.end(), lines.begin(), lines.end());
+    }
+  }
   if (!plan.led_by.empty()) {
     comments.push_back(fmt::format("Intervals and limits are those of the cause {}.", plan.led_by));
   }

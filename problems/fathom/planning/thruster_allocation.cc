@@ -9,66 +9,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
 
-constexpr double kNoPivot = 1e-9;    // a row that the others give, of the greatest
-constexpr double kNoForce = 1e-9;    // along a DOF, for a force of 1
-constexpr double kRounding = 1e-12;  // of a thrust, beyond its range
+constexpr double kNoPivot = 1e-9;  // a row that the others give, of the greatest
+constexpr double kNoForce = 1e-9;  // along a DOF, for a force of 1
 
 // Those that thrusters hold best come first: a vehicle mostly rights itself in roll and pitch.
 constexpr std::array<Dof, 6> kOrderOfHolding = {
     Dof::kSurge, Dof::kSway, Dof::kHeave, Dof::kYaw, Dof::kRoll, Dof::kPitch};
-
-// That all tables hold.
-double VoltageOf(double given, const Vehicle& vehicle, const std::string& name) {
-  for (const Thruster& thruster : vehicle.thrusters) {
-    const ThrustTable* table = TableOf(thruster, vehicle);
-    if (table == nullptr) continue;
-    const std::vector<double>& voltages = table->voltages;
-    if (std::isnan(given) && voltages.size() == 1) given = voltages.front();
-    if (std::isnan(given)) {
-      throw InputError(fmt::format(
-          "--voltage: is missing, expected the volts of the supply, since table '{}' of "
-          "{} holds {:g} V.",
-          table->name,
-          name,
-          fmt::join(voltages, ", ")));
-    }
-    if (given >= voltages.front() && given <= voltages.back()) continue;
-    throw InputError(
-        fmt::format("--voltage: is {:g} V, expected {:g} to {:g} V as in table '{}' of {}.",
-                    given,
-                    voltages.front(),
-                    voltages.back(),
-                    table->name,
-                    name));
-  }
-  return given;
-}
-
-ValueRange RangeOfThruster(const Thruster& thruster,
-                           const ThrustTable* table,
-                           const AllocationTask& task,
-                           double voltage) {
-  ValueRange range = {-task.thruster_force, task.thruster_force};
-  const auto narrow = [&](double low, double high) {
-    range = {std::max(range.low, low), std::min(range.high, high)};
-  };
-  if (table != nullptr) {
-    std::vector<double> thrusts;
-    for (const double command : table->commands) thrusts.push_back(table->Thrust(command, voltage));
-    const auto [low, high] = std::minmax_element(thrusts.begin(), thrusts.end());
-    narrow(std::min(0.0, *low), std::max(0.0, *high));
-  } else if (thruster.forward_coefficient > 0.0 && thruster.reverse_coefficient == 0.0) {
-    narrow(0.0, PlanLimits::kNoLimit);
-  }
-  return range;
-}
 
 // The thrusts for a force of 1 along the DOF: T = A^+ e with the rows A of the allocation that are
 // independent, the DOF's first.
@@ -102,39 +56,26 @@ double ThrusterAllocation::ReachEachWay() const { return std::min(-reach.low, re
 
 std::vector<double> ThrusterAllocation::ThrustsOf(double force) const {
   std::vector<double> thrusts;
-  for (std::size_t k = 0; k < share.size(); ++k) {
-    const double thrust = share[k] * force;
-    const double slack = kRounding * std::abs(thrust);
-    const bool is_at_end = thrust >= range[k].low - slack && thrust <= range[k].high + slack;
-    // -0 would be printed as such.
-    thrusts.push_back(0.0 + (is_at_end ? std::clamp(thrust, range[k].low, range[k].high) : thrust));
-  }
+  for (const double of_thruster : share) thrusts.push_back(of_thruster * force);
+  return thrusters.WithoutRounding(std::move(thrusts));
+}
+
+PlannedThrusts ThrustsOf(const HeldCommand& command, const ThrusterAllocation& allocation) {
+  PlannedThrusts thrusts = {command.time, {}};
+  for (const double force : command.value) thrusts.thrust.push_back(allocation.ThrustsOf(force));
   return thrusts;
-}
-
-bool ThrusterAllocation::HasPulses() const {
-  return !table.empty() && std::all_of(table.begin(), table.end(), [](const ThrustTable* one) {
-    return one != nullptr && one->command_unit == "us";
-  });
-}
-
-std::vector<int> ThrusterAllocation::PulsesOf(double force) const {
-  std::vector<int> pulses;
-  if (!HasPulses()) return pulses;
-  const std::vector<double> thrusts = ThrustsOf(force);
-  for (std::size_t k = 0; k < thrusts.size(); ++k) {
-    pulses.push_back(static_cast<int>(std::lround(*table[k]->CommandFor(thrusts[k], voltage))));
-  }
-  return pulses;
 }
 
 ThrusterAllocation AllocateAlong(const AllocationTask& task,
                                  const Vehicle& vehicle,
                                  const std::string& name) {
-  if (vehicle.thrusters.empty()) {
-    throw InputError(fmt::format("{}: has no thrusters, expected some to be commanded.", name));
+  ThrusterAllocation allocation;
+  allocation.thrusters = ThrustersOf(task.supply, vehicle, name);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> matrix = AllocationMatrix(vehicle.thrusters);
+  for (std::size_t k = 0; k < vehicle.thrusters.size(); ++k) {
+    const auto gain = task.gain.find(vehicle.thrusters[k].name);
+    if (gain != task.gain.end()) matrix.col(static_cast<Eigen::Index>(k)) *= gain->second;
   }
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> matrix = AllocationMatrix(vehicle.thrusters);
   const Eigen::VectorXd shares = SharesOf(task.dof, matrix);
   if (shares.size() == 0) {
     throw InputError(fmt::format(
@@ -158,26 +99,11 @@ ThrusterAllocation AllocateAlong(const AllocationTask& task,
         ForceUnit(other),
         ForceUnit(task.dof)));
   }
-  ThrusterAllocation allocation;
-  allocation.voltage = VoltageOf(task.voltage, vehicle, name);
-  for (std::size_t k = 0; k < vehicle.thrusters.size(); ++k) {
-    const Thruster& thruster = vehicle.thrusters[k];
-    const ThrustTable* table = TableOf(thruster, vehicle);
-    allocation.names.push_back(thruster.name);
+  for (const double share : shares) {
     // What rounding leaves of a thruster that has no part in it.
-    const double share = shares[static_cast<Eigen::Index>(k)];
     allocation.share.push_back(std::abs(share) <= kNoForce ? 0.0 : share);
-    allocation.table.push_back(table);
-    allocation.range.push_back(RangeOfThruster(thruster, table, task, allocation.voltage));
-    if (table == nullptr || table->CommandFor(0.0, allocation.voltage)) continue;
-    throw InputError(fmt::format(
-        "{}: table '{}' gives no command for a thrust of 0 N at {:g} V, expected thrust "
-        "that passes 0 and rises from command to command, or falls.",
-        name,
-        table->name,
-        allocation.voltage));
   }
-  allocation.reach = ReachOf(allocation.share, allocation.range);
+  allocation.reach = ReachOf(allocation.share, allocation.thrusters.range);
   if (task.dof != Dof::kRoll) allocation.roll = forces[Index(Dof::kRoll)];
   if (task.dof != Dof::kPitch) allocation.pitch = forces[Index(Dof::kPitch)];
   return allocation;

@@ -4,11 +4,12 @@
 #pragma once
 
 #include "fathom/base/dof.h"
+#include "fathom/log/held_command.h"
 #include "fathom/planning/plan_limits.h"
+#include "fathom/planning/thruster_set.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
-#include <limits>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,19 +18,16 @@ namespace fathom {
 // What thrusters are to do.
 struct AllocationTask {
   Dof dof = Dof::kSurge;
-  // Of the supply [V]; NaN: that of the tables, where they hold one.
-  double voltage = std::numeric_limits<double>::quiet_NaN();
-  double thruster_force = PlanLimits::kNoLimit;  // greatest of each thruster, either way [N]
+  ThrusterSupply supply = {};
+  // Of thrusters by name, what one gives for a thrust of 1; 1 where it is not named.
+  std::map<std::string, double> gain = {};
 };
 
 // How the thrusters of a vehicle give a force along one DOF: docs/plan.md (5).
 struct ThrusterAllocation {
-  std::vector<std::string> names;         // of the thrusters, in the order of the vehicle file
-  std::vector<double> share;              // thrust of each for a force of 1 [1] or [1/m]
-  std::vector<ValueRange> range;          // of each thrust; infinite: not known [N]
-  std::vector<const ThrustTable*> table;  // of pulse widths, of each, in the Vehicle; else none
-  double voltage = std::numeric_limits<double>::quiet_NaN();  // that the tables are read at [V]
-  ValueRange reach;  // of the force along the DOF [N] or [N m]
+  ThrusterSet thrusters;
+  std::vector<double> share;  // thrust of each for a force of 1 [1] or [1/m]
+  ValueRange reach;           // of the force along the DOF [N] or [N m]
 
   // Moments of roll and pitch that the thrusters cannot but give along, for a force of 1 [m] or
   // [1].
@@ -38,14 +36,12 @@ struct ThrusterAllocation {
   // The greatest force that they can give both ways [N] or [N m].
   double ReachEachWay() const;
 
-  // Of a force along the DOF, in the order of `names` [N].
+  // Of a force along the DOF, in the order of the thrusters [N].
   std::vector<double> ThrustsOf(double force) const;
-
-  // The pulse widths that give them, to whole microseconds [us]. Empty unless each thruster has a
-  // table of them.
-  std::vector<int> PulsesOf(double force) const;
-  bool HasPulses() const;
 };
+
+// Of each force of a command along the DOF.
+PlannedThrusts ThrustsOf(const HeldCommand& command, const ThrusterAllocation& allocation);
 
 // The shortest thrusts that give a force along the DOF and none along the others. `name` stands for
 // the vehicle file in messages; `vehicle` must outlive the result. Throws InputError where the

@@ -14,13 +14,13 @@
 
 namespace fathom {
 
-DrawnBoat DrawBoat(unsigned seed) {
+DrawnBoat DrawBoat(unsigned seed, double colour) {
   std::mt19937 random(seed);
   DrawnBoat boat = {DrawnPlanarVehicle(&random), {}};
   DrawnLogOptions options;
   options.duration = 60.0;
   options.noise = kBoatNoise;
-  options.colour = 0.0;
+  options.colour = colour;
   CoupledIdentificationOptions how;
   how.dofs = boat.truth.dofs;
   how.structure = StandardStructure::kCoriolis;
@@ -50,7 +50,8 @@ CoupledData PlayedLog(const CoupledModel& truth,
                       const CoupledCommand& command,
                       double duration,
                       double noise,
-                      unsigned seed) {
+                      unsigned seed,
+                      double colour) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   CoupledData data;
@@ -61,10 +62,14 @@ CoupledData PlayedLog(const CoupledModel& truth,
   CoupledSegment& segment = data.segments.emplace_back();
   PlainSimulator plain(truth);
   std::size_t row = 0;
+  Vector6 error;
+  for (double& value : error) value = noise * normal(random);
   for (int k = 0; k <= std::lround(10.0 * duration); ++k) {
     const double t = 0.1 * k;
-    Vector6 shown = plain.nu;
-    for (double& velocity : shown) velocity += noise * normal(random);
+    const Vector6 shown = plain.nu + error;
+    for (double& value : error) {
+      value = colour * value + std::sqrt(1.0 - colour * colour) * noise * normal(random);
+    }
     segment.time.push_back(t);
     segment.velocity.push_back(shown);
     segment.pose_time.push_back(t);

@@ -46,13 +46,13 @@ Wrench WrenchOf(const Vehicle& vehicle, const std::vector<double>& thrusts) {
 // four verticals, 0.12 m before and behind it, make up for: 0.085 / (4 x 0.12).
 TEST(ThrusterAllocation, IsTheClosedFormOfAVectoredFrame) {
   const Vehicle vehicle = HeavyRov();
-  const ThrusterAllocation surge = AllocateAlong({Dof::kSurge, 16.0}, vehicle, "rov.yaml");
+  const ThrusterAllocation surge = AllocateAlong({Dof::kSurge, {16.0}}, vehicle, "rov.yaml");
   const double level = 0.25 * std::sqrt(2.0), upright = 0.085 / 0.48;
   const std::vector<double> expected = {
       -level, -level, level, level, upright, upright, -upright, -upright};
   ASSERT_EQ(surge.share.size(), expected.size());
   for (std::size_t k = 0; k < expected.size(); ++k) {
-    EXPECT_NEAR(surge.share[k], expected[k], 1e-6) << surge.names[k];
+    EXPECT_NEAR(surge.share[k], expected[k], 1e-6) << surge.thrusters.names[k];
   }
   // A T200 gives 39.9 N backward at 16 V, and 51.5 N ahead: two of four go backward either way.
   EXPECT_NEAR(surge.reach.high, 39.9 / level, 1e-3);
@@ -64,7 +64,7 @@ TEST(ThrusterAllocation, IsTheClosedFormOfAVectoredFrame) {
 TEST(ThrusterAllocation, GivesItsForceAndNoOther) {
   const Vehicle vehicle = HeavyRov();
   for (const Dof dof : kAllDofs) {
-    const ThrusterAllocation allocation = AllocateAlong({dof, 14.3}, vehicle, "rov.yaml");
+    const ThrusterAllocation allocation = AllocateAlong({dof, {14.3}}, vehicle, "rov.yaml");
     const Wrench wrench = WrenchOf(vehicle, allocation.ThrustsOf(-7.3));
     Eigen::Matrix<double, 6, 1> expected = Eigen::Matrix<double, 6, 1>::Zero();
     expected[Index(dof)] = -7.3;
@@ -82,9 +82,9 @@ TEST(ThrusterAllocation, HoldsTheYawOfALopsidedPair) {
   EXPECT_NEAR(surge.share[0], 0.4, 1e-12);
   EXPECT_NEAR(surge.share[1], 0.6, 1e-12);
   EXPECT_TRUE(std::isinf(surge.reach.high));
-  EXPECT_FALSE(surge.HasPulses());
+  EXPECT_FALSE(surge.thrusters.HasPulses());
   const ThrusterAllocation limited =
-      AllocateAlong({.dof = Dof::kSurge, .thruster_force = 30.0}, vehicle, "rov.yaml");
+      AllocateAlong({Dof::kSurge, {.thruster_force = 30.0}}, vehicle, "rov.yaml");
   EXPECT_NEAR(limited.ReachEachWay(), 50.0, 1e-9);
 }
 
@@ -101,15 +101,15 @@ TEST(ThrusterAllocation, TellsThePitchThatItCannotHold) {
 
 TEST(ThrusterAllocation, GivesPulsesThatGiveTheThrusts) {
   const Vehicle vehicle = HeavyRov();
-  const ThrusterAllocation yaw = AllocateAlong({Dof::kYaw, 16.0}, vehicle, "rov.yaml");
-  ASSERT_TRUE(yaw.HasPulses());
+  const ThrusterAllocation yaw = AllocateAlong({Dof::kYaw, {16.0}}, vehicle, "rov.yaml");
+  ASSERT_TRUE(yaw.thrusters.HasPulses());
   const std::vector<double> thrusts = yaw.ThrustsOf(6.1);
-  const std::vector<int> pulses = yaw.PulsesOf(6.1);
+  const std::vector<int> pulses = yaw.thrusters.PulsesOf(thrusts);
   for (std::size_t k = 0; k < thrusts.size(); ++k) {
     // Half a microsecond of the table's steepest part, 8.1 N over 40 us.
     EXPECT_NEAR(vehicle.thrust_tables[0].Thrust(pulses[k], 16.0), thrusts[k], 0.5 * 8.1 / 40.0);
   }
-  EXPECT_THAT(yaw.PulsesOf(0.0), ::testing::Each(1500));
+  EXPECT_THAT(yaw.thrusters.PulsesOf(yaw.ThrustsOf(0.0)), ::testing::Each(1500));
 }
 
 TEST(ThrusterAllocation, RefusesWhatTheThrustersCannotGive) {
@@ -129,7 +129,7 @@ TEST(ThrusterAllocation, AsksForTheVoltageOfItsTables) {
       Refusal({Dof::kSurge}, HeavyRov()),
       HasSubstr("--voltage: is missing, expected the volts of the supply, since table 'T200' "
                 "of rov.yaml holds 12, 16, 20 V."));
-  EXPECT_THAT(Refusal({Dof::kSurge, 24.0}, HeavyRov()),
+  EXPECT_THAT(Refusal({Dof::kSurge, {24.0}}, HeavyRov()),
               HasSubstr("--voltage: is 24 V, expected 12 to 20 V as in table 'T200' of rov.yaml."));
 }
 

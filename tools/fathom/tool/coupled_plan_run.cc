@@ -12,6 +12,8 @@
 #include "fathom/coupled_planning/coupled_plan_page.h"
 #include "fathom/coupled_planning/coupled_plan_text.h"
 #include "fathom/coupled_planning/plan_coupled.h"
+#include "fathom/planning/thruster_files.h"
+#include "fathom/planning/thruster_reach.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
 #include "fathom/tool/flag_values.h"
@@ -19,9 +21,13 @@
 #include "fathom/tool/plan_files.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
+#include "fathom/vehicle/files/vehicle_file.h"
 
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -31,7 +37,7 @@ namespace {
 constexpr double kLongestDuration = 3600.0;  // [s]
 constexpr double kShortestDuration = 5.0;
 
-CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags) {
+CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags, const Vehicle* vehicle) {
   if (flags.limits.empty()) {
     throw InputError(fmt::format(
         "--limits: is missing, expected a limits file: {} does not say how much force and speed "
@@ -44,6 +50,10 @@ CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags) {
   request.limits_name = flags.limits;
   request.limits = ParseCoupledLimits(flags.limits, ReadFile(flags.limits));
   request.seed = flags.seed;
+  request.vehicle = vehicle;
+  request.vehicle_name = flags.vehicle;
+  request.voltage = flags.voltage;
+  if (vehicle == nullptr) RequireNoThrusterForce(flags.limits, request.limits.thruster_force);
   for (const std::string& name : SplitAtCommas(flags.dofs)) {
     request.dofs.push_back(ParseFlag("dofs", name, ParseDof));
   }
@@ -60,10 +70,24 @@ CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags) {
   return request;
 }
 
+std::map<std::string, std::string> FilesOf(const CoupledPlanRequest& request,
+                                           const CoupledPlan& plan) {
+  std::map<std::string, std::string> files = {
+      {"command.csv", FormatWrenchCommand(plan)},
+      {"experiment.yaml", FormatWrenchExperiment(request, plan)},
+      {"plan.json", FormatCoupledPlan(request, plan)}};
+  if (!plan.thrusters) return files;
+  files.merge(ThrusterFiles(
+      NamesOfAxes(plan), ThrustsOf(plan.command, *plan.thrusters), plan.thrusters->thrusters()));
+  return files;
+}
+
 }  // namespace
 
 int RunCoupledPlan(const CoupledPlanFlags& flags) {
-  const CoupledPlanRequest request = RequestOf(flags);
+  std::optional<Vehicle> vehicle;
+  if (!flags.vehicle.empty()) vehicle = ReadVehicleFile(flags.vehicle);
+  const CoupledPlanRequest request = RequestOf(flags, vehicle ? &*vehicle : nullptr);
   const CoupledPlan plan = PlanCoupledExperiment(request);
   if (!plan.IsUsable()) {
     PrintText(stderr, fmt::format("fathom_plan: {}\n", plan.message));
@@ -74,12 +98,7 @@ int RunCoupledPlan(const CoupledPlanFlags& flags) {
   for (const std::string& line : CoupledPlanComments(request, plan)) {
     PrintText(stdout, "note: " + line + "\n");
   }
-  if (!flags.out.empty()) {
-    WritePlanFiles(flags.out,
-                   {{"command.csv", FormatWrenchCommand(plan)},
-                    {"experiment.yaml", FormatWrenchExperiment(request, plan)},
-                    {"plan.json", FormatCoupledPlan(request, plan)}});
-  }
+  if (!flags.out.empty()) WritePlanFiles(flags.out, FilesOf(request, plan));
   if (!flags.report.empty()) {
     Page page = CoupledPlanPage(request, plan);
     page.origin = OriginOfPage({});

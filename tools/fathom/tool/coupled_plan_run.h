@@ -15,8 +15,10 @@ struct CoupledPlanFlags {
   std::string dofs;     // to command, comma-separated; empty: those that the limits name
   double duration = 0;  // [s]; NaN: the limits file's
   std::uint64_t seed = 1;
-  std::string out;     // a folder; empty: none
-  std::string report;  // a page to be written; empty: none
+  std::string vehicle;   // the file of one with thrusters; empty: none
+  double voltage = 0.0;  // of their supply [V]; NaN: that of their tables, where these hold one
+  std::string out;       // a folder; empty: none
+  std::string report;    // a page to be written; empty: none
 };
 
 // Plans, prints and writes: docs/plan.md, "Several degrees of freedom". Returns the exit code: 2

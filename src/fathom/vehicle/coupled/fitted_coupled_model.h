@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct FittedCoupledModel {
   // `horizon` seconds.
   double horizon = std::numeric_limits<double>::quiet_NaN();
   std::array<FitFigures, 6> train, held_out;
+
+  // Of each DOF, the colour of the velocities that the fit misses, as it took it: phi_1 ... of
+  // docs/output_error.md (5), over samples of the rate of `train`. No numbers: white. Nothing: not
+  // known.
+  std::array<std::optional<std::vector<double>>, 6> residual_autoregression;
 
   std::vector<std::string> caveats;
   std::map<std::string, std::string> provenance;

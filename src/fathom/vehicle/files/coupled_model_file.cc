@@ -50,6 +50,16 @@ Json FormatByDof(const std::array<FitFigures, 6>& figures, const std::vector<Dof
   return json;
 }
 
+// The figures of the fit, and the colour of its noise where it is known.
+Json FormatFitByDof(const FittedCoupledModel& fitted) {
+  Json json = FormatByDof(fitted.train, fitted.model.dofs);
+  for (const Dof dof : fitted.model.dofs) {
+    const auto& colour = fitted.residual_autoregression[static_cast<std::size_t>(Index(dof))];
+    if (colour) json[std::string(Name(dof))]["residual_autoregression"] = *colour;
+  }
+  return json;
+}
+
 // What a model holds beside its identified numbers.
 Json FormatHeld(const FittedCoupledModel& fitted) {
   Json held = Json::object();
@@ -120,6 +130,17 @@ std::array<FitFigures, 6> ReadByDof(const JsonValue& json) {
   return figures;
 }
 
+// Of the DOFs that ReadByDof() has read.
+void ReadColours(const JsonValue& fit, FittedCoupledModel* fitted) {
+  for (const std::string& name : fit.Keys()) {
+    const auto colour = fit.Member(name).MemberIfThere("residual_autoregression");
+    if (!colour) continue;
+    const auto at = static_cast<std::size_t>(Index(*DofFromName(name)));
+    std::vector<double>& phi = fitted->residual_autoregression[at].emplace();
+    for (const JsonValue& value : colour->List()) phi.push_back(value.Number());
+  }
+}
+
 Eigen::MatrixXd ReadCovariance(const JsonValue& json, std::size_t size) {
   const auto n = static_cast<Eigen::Index>(size);
   Eigen::MatrixXd covariance(n, n);
@@ -167,7 +188,7 @@ std::string FormatCoupledModel(const FittedCoupledModel& fitted) {
                      {"held", FormatHeld(fitted)},
                      {"covariance", covariance},
                      {"horizon", fitted.horizon},
-                     {"fit", FormatByDof(fitted.train, fitted.model.dofs)},
+                     {"fit", FormatFitByDof(fitted)},
                      {"held_out", FormatByDof(fitted.held_out, fitted.model.dofs)},
                      {"caveats", fitted.caveats},
                      {"provenance", fitted.provenance},
@@ -213,7 +234,10 @@ FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view t
   }
   fitted.covariance = ReadCovariance(file.Member("covariance"), fitted.entries.size());
   fitted.horizon = file.NumberIfThere("horizon");
-  if (const auto fit = file.MemberIfThere("fit")) fitted.train = ReadByDof(*fit);
+  if (const auto fit = file.MemberIfThere("fit")) {
+    fitted.train = ReadByDof(*fit);
+    ReadColours(*fit, &fitted);
+  }
   if (const auto held_out = file.MemberIfThere("held_out")) fitted.held_out = ReadByDof(*held_out);
   if (const auto caveats = file.MemberIfThere("caveats")) fitted.caveats = caveats->Texts();
   if (const auto provenance = file.MemberIfThere("provenance")) {

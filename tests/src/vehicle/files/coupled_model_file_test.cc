@@ -6,6 +6,7 @@
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <string>
+#include <vector>
 
 #include "error_from.h"
 #include <gmock/gmock.h>
@@ -34,6 +35,8 @@ FittedCoupledModel Boat() {
   fitted.covariance = Eigen::MatrixXd::Identity(size, size) * 0.04;
   fitted.horizon = 20.0;
   fitted.train[0].nmae = 0.1;
+  fitted.residual_autoregression[0] = {0.7, 0.1};
+  fitted.residual_autoregression[1] = std::vector<double>();  // white
   fitted.caveats = {"a caveat"};
   fitted.provenance = {{"log", "tank"}};
   fitted.log_fingerprints = {"0123456789abcdef"};
@@ -65,6 +68,7 @@ TEST(CoupledModelFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.covariance, written.covariance);
   EXPECT_EQ(read.horizon, 20.0);
   EXPECT_EQ(read.train[0].nmae, 0.1);
+  EXPECT_EQ(read.residual_autoregression, written.residual_autoregression);
   EXPECT_EQ(read.caveats, written.caveats);
   EXPECT_EQ(read.provenance, written.provenance);
   EXPECT_EQ(read.log_fingerprints, written.log_fingerprints);
@@ -72,6 +76,8 @@ TEST(CoupledModelFile, ReadsBackWhatWasWritten) {
 
 TEST(CoupledModelFile, RefusesWhatCannotBeAModel) {
   const std::string text = FormatCoupledModel(Boat());
+  EXPECT_THAT(MessageOf(Replaced(text, "0.7,", "\"loud\",")),
+              HasSubstr("m.json: 'fit.surge.residual_autoregression"));
   EXPECT_THAT(MessageOf(Replaced(text, "fathom-model-2", "fathom-model-7")), HasSubstr("'schema'"));
   EXPECT_THAT(MessageOf(Replaced(text, "\"inertia.sway.yaw\"", "\"inertia.up\"")),
               HasSubstr("inertia.up"));
