@@ -188,9 +188,10 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
                     FLAGS_model));
   }
   if (FLAGS_keep_run_effects) {
-    throw InputError(fmt::format(
-        "--keep_run_effects: {} is a model of several DOFs, which has no effects: expected none.",
-        FLAGS_model));
+    throw InputError(
+        fmt::format("--keep_run_effects: {} is a model of several DOFs, which knows the current of "
+                    "each run by its log: expected none.",
+                    FLAGS_model));
   }
   if (!(FLAGS_horizon > 0.0)) {
     throw InputError(fmt::format("--horizon: is {}, expected more than 0 s.", FLAGS_horizon));

@@ -85,6 +85,11 @@ std::string Meaning(const FreeEntry& entry) {
     return fmt::format("Fin {} follows its command with a lag, of this time constant",
                        entry.actuator);
   }
+  if (entry.kind == Kind::kCurrent) {
+    return fmt::format("A current flows {} during {}",
+                       entry.row == Dof::kSurge ? "north (below 0 south)" : "east (below 0 west)",
+                       entry.actuator);
+  }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
                        Name(entry.column),
@@ -195,6 +200,12 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
     }
     if (cause.entry.kind == Kind::kThrusterLag) {
       steps.push_back("Log the propellers' speed and use it in place of the command.");
+    }
+    if (IsOfRun(cause.entry)) {
+      const std::string step =
+          fmt::format("The current is that of {} alone. The other numbers hold in still water.",
+                      cause.entry.actuator);
+      if (std::ranges::count(steps, step) == 0) steps.push_back(step);  // once of north and east
     }
     if (IsEffect(cause.entry)) steps.emplace_back(cause.entry.effect->info().advice);
     if (cause.entry.kind == Kind::kFinLag) {

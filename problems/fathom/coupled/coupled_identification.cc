@@ -70,7 +70,8 @@ std::vector<std::string> FreeGains(const CoupledLogs& logs) {
 }
 
 // Whether the logs, with these DOFs, have what the entry is of.
-bool IsIn(const FreeEntry& entry, const CoupledCommand& command, const std::vector<Dof>& dofs) {
+bool IsIn(const FreeEntry& entry, const CoupledLogs& logs, const std::vector<Dof>& dofs) {
+  const CoupledCommand& command = logs.data.front().inputs.command;
   if (!IsOfActuator(entry)) {
     const Dof row = entry.kind == FreeEntry::Kind::kNetBuoyancy ? Dof::kHeave : entry.row;
     const bool has_column =
@@ -78,6 +79,9 @@ bool IsIn(const FreeEntry& entry, const CoupledCommand& command, const std::vect
     return has_column && std::ranges::count(dofs, row) > 0;
   }
   if (entry.actuator.empty()) return true;  // of all
+  if (IsOfRun(entry)) {
+    return std::ranges::count(logs.data, entry.actuator, &CoupledData::log) == 1;
+  }
   if (entry.kind != FreeEntry::Kind::kThrustGain) {
     return std::ranges::any_of(command.fins,
                                [&](const auto& fin) { return fin.name == entry.actuator; });
@@ -95,7 +99,7 @@ MotionStructure WithEntries(MotionStructure structure,
                             const std::vector<FreeEntry>& entries,
                             const CoupledLogs& logs) {
   for (const FreeEntry& entry : entries) {
-    if (!IsIn(entry, logs.data.front().inputs.command, structure.dofs)) {
+    if (!IsIn(entry, logs, structure.dofs)) {
       throw InputError(
           fmt::format("{}: nothing is there for {} to be of, expected a thruster or a fin of the "
                       "vehicle file, or DOFs that are modelled.",

@@ -47,8 +47,9 @@ bool IsOfStuckFin(const FreeEntry& entry, const MotionStructure& structure) {
   return IsOfActuator(entry) && Holds(structure, FinStuckEntry(entry.actuator));
 }
 
-// Everything off the diagonal, the thrusters, the fins and the effects of the catalogue.
-std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
+// Everything off the diagonal, the thrusters, the fins, the effects and the current of each log.
+std::vector<FreeEntry> CandidatesBeyond(std::span<const CoupledData> logs,
+                                        const MotionStructure& structure,
                                         const EntrySearchOptions& options) {
   std::vector<FreeEntry> all;
   for (const Dof row : structure.dofs) {
@@ -59,7 +60,15 @@ std::vector<FreeEntry> CandidatesBeyond(const MotionStructure& structure,
     }
   }
   const auto models = [&](Dof dof) { return std::ranges::count(structure.dofs, dof) > 0; };
-  if (models(Dof::kSurge) && models(Dof::kSway)) all.push_back(ThrustAngleEntry());
+  if (models(Dof::kSurge) && models(Dof::kSway)) {
+    all.push_back(ThrustAngleEntry());
+    // Known by the name of its log, and told by the heading.
+    for (const CoupledData& log : logs) {
+      const bool is_named_once = std::ranges::count(logs, log.log, &CoupledData::log) == 1;
+      if (!log.has_attitude || !is_named_once) continue;
+      for (const Dof axis : {Dof::kSurge, Dof::kSway}) all.push_back(CurrentEntry(axis, log.log));
+    }
+  }
   for (const std::string& thruster : options.thrusters) all.push_back(ThrustGainEntry(thruster));
   for (const StructureFin& fin : options.fins) {
     all.push_back(FinNeutralEntry(fin.name));
@@ -206,7 +215,7 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
   while (TakeOutNeedless(logs, options.fit, &search, &banned)) {
   }
   while (search.fit.IsUsable() && search.named.size() < kMostNamed) {
-    std::vector<FreeEntry> candidates = CandidatesBeyond(search.structure, options);
+    std::vector<FreeEntry> candidates = CandidatesBeyond(logs, search.structure, options);
     std::erase_if(candidates, [&](const FreeEntry& entry) {
       return std::ranges::find(banned, entry) != banned.end();
     });

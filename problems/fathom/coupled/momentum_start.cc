@@ -70,6 +70,7 @@ Vector6 RateOf(const FreeEntry& entry,
         force[i] = ResistanceOf(*entry.effect, 0.0, nu[i], 0.0).by_value;
       break;
     case Kind::kThrusterEffect:
+    case Kind::kCurrent:
     case Kind::kThrustGain:
     case Kind::kThrustAngle:
     case Kind::kTimeOffset:

@@ -88,7 +88,7 @@ std::vector<FreeEntry> NumbersIn(const FittedCoupledModel& fitted) {
   all.erase(repeated.begin(), repeated.end());
   std::erase_if(all, [](const FreeEntry& entry) {
     return entry == TimeOffsetEntry() || entry == ThrusterLagEntry() ||
-           entry.kind == FreeEntry::Kind::kEffect;
+           entry.kind == FreeEntry::Kind::kEffect || IsOfRun(entry);
   });
   return all;
 }
@@ -206,6 +206,13 @@ ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& f
     number.is_identified = std::ranges::find(fitted.entries, entry) != fitted.entries.end();
     number.std = StdOf(fitted, entry);
     exported.numbers.push_back(std::move(number));
+  }
+  for (const auto& [run, current] : fitted.model.current) {
+    exported.notes.push_back(fmt::format(
+        "The current of {}, {:.3g} m/s north and {:.3g} m/s east, is of that run and left out.",
+        run,
+        current[0],
+        current[1]));
   }
   AddEffects(fitted, log, &exported);
   AddThrustInTime(fitted, log, &exported);

@@ -330,6 +330,8 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kEffect:  // ExportModel::effects
     case FreeEntry::Kind::kThrusterEffect:
       return ExportFeature::kThrusterEffect;
+    case FreeEntry::Kind::kCurrent:  // of a run, in no export
+      break;
   }
   return ExportFeature::kThrustGain;
 }

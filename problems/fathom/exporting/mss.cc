@@ -46,6 +46,7 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kFinLag:
     case FreeEntry::Kind::kEffect:
     case FreeEntry::Kind::kThrusterEffect:
+    case FreeEntry::Kind::kCurrent:
       return "";
   }
   return "";

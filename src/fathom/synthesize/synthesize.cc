@@ -55,6 +55,16 @@ void RequireForcesAlone(const Vehicle& vehicle, const Experiment& experiment) {
                   experiment.name));
 }
 
+// A current flows past in the world.
+void RequireStillWater(const Vehicle& vehicle, const Experiment& experiment) {
+  if (experiment.current.isZero(0.0)) return;
+  throw InputError(
+      fmt::format("vehicle '{}': has no coupled_model, expected one since experiment '{}' has a "
+                  "current. Hide steady_current in single DOFs instead.",
+                  vehicle.name,
+                  experiment.name));
+}
+
 // What is hidden is hidden in one DOF.
 void RequireNoEffects(const Vehicle& vehicle, std::span<const ActiveEffect> effects) {
   if (effects.empty()) return;
@@ -67,6 +77,7 @@ void RequireNoEffects(const Vehicle& vehicle, std::span<const ActiveEffect> effe
 
 std::vector<Dof> DrivenDofs(const Vehicle& vehicle, const Experiment& experiment) {
   RequireForcesAlone(vehicle, experiment);
+  RequireStillWater(vehicle, experiment);
   std::vector<Dof> dofs;
   for (const Drive& drive : experiment.drives) {
     if (!vehicle.models[Index(drive.dof)]) {

@@ -66,12 +66,15 @@ std::string FormatTruth(const Vehicle& vehicle,
   Json hidden = Json::array();
   for (const ActiveEffect& active : effects) hidden.push_back(EffectOfTruth(active));
   if (vehicle.coupled) {
-    const Json json = {{"schema", "fathom-truth-1"},
-                       {"vehicle", vehicle.name},
-                       {"experiment", experiment.name},
-                       {"seed", seed},
-                       {"coupled_model", CoupledOfTruth(*vehicle.coupled)},
-                       {"effects", hidden}};
+    Json json = {{"schema", "fathom-truth-1"},
+                 {"vehicle", vehicle.name},
+                 {"experiment", experiment.name},
+                 {"seed", seed},
+                 {"coupled_model", CoupledOfTruth(*vehicle.coupled)},
+                 {"effects", hidden}};
+    if (!experiment.current.isZero(0.0)) {
+      json["current"] = {{"north", experiment.current[0]}, {"east", experiment.current[1]}};
+    }
     return json.dump(2) + "\n";
   }
   Json models = Json::object();

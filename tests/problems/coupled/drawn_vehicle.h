@@ -42,6 +42,7 @@ struct DrawnLogOptions {
   double rate = 10.0;       // [Hz]
   double noise = 0.01;      // standard deviation of the velocities [m/s]; of rates the same [rad/s]
   double colour = 0.8;      // correlation of neighbouring samples
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();         // world [m/s]
   Vector6 force = Vector6(25.0, 30.0, 25.0, 2.0, 2.0, 8.0);  // of the steps
 };
 
@@ -55,12 +56,13 @@ inline CoupledData DrawnLog(const CoupledModel& model,
   };
   std::normal_distribution<double> normal;
   CoupledData data;
-  data.log = "drawn";
+  data.log = data.inputs.log = "drawn";
   data.dofs = model.dofs;
   data.force_unit = "N";
   CoupledCommand& command = data.inputs.command;
   CoupledSegment segment;
   PlainSimulator plain(model);
+  plain.current = options.current;
   const double step = 1.0 / options.rate;
   Vector6 noise = Vector6::Zero(), tau = Vector6::Zero();
   for (int i = 0; i < 6; ++i) noise[i] = options.noise * normal(*random);

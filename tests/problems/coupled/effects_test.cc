@@ -17,6 +17,7 @@ namespace fathom {
 namespace {
 
 using ::testing::Contains;
+using ::testing::UnorderedElementsAre;
 
 // An effect, and of what size it is drawn [unit of the entry].
 struct DrawnEffect {
@@ -53,6 +54,48 @@ INSTANTIATE_TEST_SUITE_P(
                                      DrawnEffect{"thrust_dead_zone.surge", 2, 8},
                                      DrawnEffect{"thrust_asymmetry.sway", 0.15, 0.5}),
                      testing::Values(10u, 11u)));
+
+// 200 s of a vehicle that knows its heading, in a current of about 0.15 m/s.
+TEST(ACurrent, IsNamedByWhereItFlows) {
+  std::mt19937 random(7201);
+  const CoupledModel vehicle = DrawnPlanarVehicle(&random);
+  DrawnLogOptions options;
+  options.current << 0.12, -0.08, 0.0;
+  CoupledLogs logs;
+  logs.data = {DrawnLog(vehicle, options, &random)};
+  logs.data[0].has_attitude = true;
+  const Ladder ladder = ClimbLadder(logs, vehicle.dofs, {});
+  ASSERT_EQ(ladder.named.size(), 2u);
+  for (const NamedEntry& named : ladder.named) {
+    const double truth = named.entry.row == Dof::kSurge ? 0.12 : -0.08;
+    EXPECT_EQ(named.entry, CurrentEntry(named.entry.row, "drawn"));
+    EXPECT_LT(std::abs(named.value - truth), 3.3 * named.std);
+    EXPECT_LT(named.std, 0.002);
+  }
+}
+
+// Of four logs two run in a current.
+TEST(ACurrent, IsThatOfItsLog) {
+  std::mt19937 random(7202);
+  const CoupledModel vehicle = DrawnPlanarVehicle(&random);
+  CoupledLogs logs;
+  for (int k = 0; k < 4; ++k) {
+    DrawnLogOptions options;
+    options.duration = 60.0;
+    if (k < 2) options.current << 0.15, 0.1 - 0.2 * k, 0.0;
+    CoupledData& log = logs.data.emplace_back(DrawnLog(vehicle, options, &random));
+    log.log = log.inputs.log = std::string("dive_") + std::to_string(k);
+    log.has_attitude = true;
+  }
+  const Ladder ladder = ClimbLadder(logs, vehicle.dofs, {});
+  std::vector<std::string> names;
+  for (const NamedEntry& named : ladder.named) names.push_back(NameOf(named.entry));
+  EXPECT_THAT(names,
+              UnorderedElementsAre("current.north.dive_0",
+                                   "current.east.dive_0",
+                                   "current.north.dive_1",
+                                   "current.east.dive_1"));
+}
 
 // 100 s of four thrusters, each of which was told `more` than it gave.
 Ladder LadderOfTold(double (*more)(double)) {

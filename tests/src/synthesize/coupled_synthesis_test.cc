@@ -98,8 +98,12 @@ Vector6 RudderForce(const Vector6& nu, double angle) {
 
 // Runs the textbook's equations over a log's command and compares: velocities at every second row
 // of the command's grid, poses at their own.
-void ExpectTheTextbooksMotion(const Log& log, const Vehicle& vehicle, bool by_thrusters) {
+void ExpectTheTextbooksMotion(const Log& log,
+                              const Vehicle& vehicle,
+                              bool by_thrusters,
+                              const Eigen::Vector3d& current = Eigen::Vector3d::Zero()) {
   PlainSimulator plain(*vehicle.coupled);
+  plain.current = current;
   double angle = 0.0;
   plain.more = [&](const Vector6& nu) { return RudderForce(nu, angle); };
   const double grid = 0.05;  // of which all three rates are multiples
@@ -157,6 +161,13 @@ TEST(CoupledSynthesis, MovesAsTheTextbookSaysUnderForcesOnAllAxes) {
   ASSERT_EQ(log.velocity->time.size(), 200u);
   ASSERT_EQ(log.pose->time.size(), 80u);
   ExpectTheTextbooksMotion(log, vehicle, false);
+}
+
+TEST(CoupledSynthesis, MovesAsTheTextbookSaysInACurrent) {
+  const Vehicle vehicle = CoupledRov();
+  Experiment experiment = OnAllAxes();
+  experiment.current << 0.2, -0.15;
+  ExpectTheTextbooksMotion(Synthesize(vehicle, experiment, 7), vehicle, false, {0.2, -0.15, 0.0});
 }
 
 TEST(CoupledSynthesis, MovesAsTheTextbookSaysUnderThrustersAndAFin) {

@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -68,6 +70,11 @@ CoupledScore ScoreCoupled(const FittedCoupledModel& fitted, const Log& log, doub
   }
   const std::vector<std::string>& known = fitted.log_fingerprints;
   score.is_trained_on_it = std::find(known.begin(), known.end(), FingerprintOf(log)) != known.end();
+  if (!fitted.model.current.empty() && !fitted.model.current.contains(log.name)) {
+    score.data.remarks.push_back(fmt::format(
+        "The model knows the current of {}, not of this log, which is simulated in still water.",
+        fmt::join(std::views::keys(fitted.model.current), ", ")));
+  }
   score.prediction = PredictCoupled(fitted.model, {&score.data, 1}, horizon);
   return score;
 }

@@ -284,7 +284,7 @@ CoupledData CoupledDataOf(const Log& log,
                           std::span<const Fin> fins,
                           std::span<const Shaft> shafts) {
   CoupledData data;
-  data.log = log.name;
+  data.log = data.inputs.log = log.name;
   data.dofs = dofs;
   data.force_unit = log.command_unit.empty() ? "N" : log.command_unit;
   data.inputs.command = CoupledCommandOf(log, thrusters);

@@ -81,6 +81,7 @@ Vector6 ShaftForces(const CoupledCommand& command,
 // What a run of a coupled model takes from a log.
 struct CoupledInputs {
   CoupledCommand command;
+  std::string log = {};  // its name, by which CoupledModel::current knows it
 
   // By Index(Dof), of DOFs that are not modelled: the measured velocities, joined on straight lines
   // and held beyond their ends. Empty: the DOF holds still.

@@ -292,6 +292,9 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
       case FreeEntry::Kind::kThrusterEffect:
         force = drive.tau_by_entry[k];
         break;
+      case FreeEntry::Kind::kCurrent:
+        force.setZero();  // it acts by the start and the outputs
+        break;
       case FreeEntry::Kind::kLift:
         force[row] = -nu[0] * nu[column];
         break;

@@ -6,12 +6,14 @@
 #include "fathom/simulate/coupled/coupled_drive.h"
 #include "fathom/simulate/coupled/coupled_rate.h"
 #include "fathom/simulate/partner_signals.h"
+#include "fathom/vehicle/coupled/coriolis.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace fathom {
@@ -81,6 +83,14 @@ class CoupledRun {
     for (const FreeEntry& entry : entries) {
       jumps_ = jumps_ || IsLateness(entry);
     }
+    const auto current = model.current.find(inputs.log);
+    if (current != model.current.end()) current_.head<2>() = current->second;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const FreeEntry& entry = entries[k];
+      if (entry.kind != FreeEntry::Kind::kCurrent || entry.actuator != inputs.log) continue;
+      current_columns_.emplace_back(static_cast<Eigen::Index>(k), Index(entry.row));
+    }
+    flows_ = !current_.isZero(0.0) || !current_columns_.empty();
   }
 
   bool Over(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
@@ -135,7 +145,45 @@ class CoupledRun {
     outputs->pose_sensitivity.resize(with_tangent_ ? rows(stamps.pose.size()) : 0, columns_);
     outputs->num_steps = 0;
     next_velocity_ = next_pose_ = 0;
+    start_ = stamps.start;
+    if (flows_) AddCurrent(-1.0, &state_, &tangent_);
     drive_.Begin(stamps.start);
+  }
+
+  // A run is integrated in a frame that the current carries along. Adds `sign` times the current to
+  // a velocity through the water, with its derivatives. DOFs that are not modelled stay as they
+  // are: what is measured of heave has no part of it while the vehicle is level.
+  void AddCurrent(double sign, CoupledFlow* state, CoupledTangent* tangent) const {
+    const Eigen::Matrix3d body_from_world =
+        Eigen::Quaterniond(state->attitude).toRotationMatrix().transpose();
+    const Eigen::Vector3d seen = body_from_world * current_;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      if (is_modelled_[static_cast<std::size_t>(i)]) state->nu[i] += sign * seen[i];
+    }
+    if (!with_tangent_) return;
+    const Eigen::Matrix3d by_turn = CrossMatrix(seen);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      if (!is_modelled_[static_cast<std::size_t>(i)]) continue;
+      tangent->row(i) += sign * by_turn.row(i) * tangent->middleRows<3>(6);
+      for (const auto& [column, axis] : current_columns_) {
+        (*tangent)(i, column) += sign * body_from_world(i, axis);
+      }
+    }
+  }
+
+  // What a state in that frame and its derivatives are over ground, at `t` of log time [s].
+  std::pair<const CoupledFlow&, const CoupledTangent&> OverGround(double t,
+                                                                  const CoupledFlow& in_water,
+                                                                  const CoupledTangent& tangent) {
+    if (!flows_) return {in_water, tangent};
+    over_ground_ = in_water;
+    tangent_over_ground_ = tangent;
+    AddCurrent(1.0, &over_ground_, &tangent_over_ground_);
+    over_ground_.position += (t - start_) * current_;
+    for (const auto& [column, axis] : current_columns_) {
+      tangent_over_ground_(9 + axis, column) += t - start_;
+    }
+    return {over_ground_, tangent_over_ground_};
   }
 
   void SetMeasured(double t, CoupledFlow* state) {
@@ -245,10 +293,10 @@ class CoupledRun {
   void Show(double t, const CoupledStamps& stamps, CoupledOutputs* outputs) {
     SetMeasured(t, &state_);
     if (next_velocity_ < stamps.velocity.size() && stamps.velocity[next_velocity_] <= t) {
-      WriteVelocity(state_, tangent_, outputs);
+      WriteVelocity(t, state_, tangent_, outputs);
     }
     if (next_pose_ < stamps.pose.size() && stamps.pose[next_pose_] <= t) {
-      WritePose(state_, tangent_, outputs);
+      WritePose(t, state_, tangent_, outputs);
     }
   }
 
@@ -267,12 +315,14 @@ class CoupledRun {
       }
     }
     while (is_within(stamps.velocity, next_velocity_)) {
-      Interpolate(from, to, stamps.velocity[next_velocity_]);
-      WriteVelocity(between_, shown_, outputs);
+      const double t = stamps.velocity[next_velocity_];
+      Interpolate(from, to, t);
+      WriteVelocity(t, between_, shown_, outputs);
     }
     while (is_within(stamps.pose, next_pose_)) {
-      Interpolate(from, to, stamps.pose[next_pose_]);
-      WritePose(between_, shown_, outputs);
+      const double t = stamps.pose[next_pose_];
+      Interpolate(from, to, t);
+      WritePose(t, between_, shown_, outputs);
     }
     Show(to, stamps, outputs);
   }
@@ -296,7 +346,11 @@ class CoupledRun {
     cubic.Of(begin_tangent_, tangent_, begin_tangent_rate_, end_tangent_rate_, &shown_);
   }
 
-  void WriteVelocity(const CoupledFlow& state, const CoupledTangent& tangent, CoupledOutputs* to) {
+  void WriteVelocity(double t,
+                     const CoupledFlow& in_water,
+                     const CoupledTangent& tangent_in_water,
+                     CoupledOutputs* to) {
+    const auto [state, tangent] = OverGround(t, in_water, tangent_in_water);
     to->velocity[next_velocity_] = state.nu;
     if (with_tangent_) {
       to->velocity_sensitivity.middleRows<6>(6 * static_cast<Eigen::Index>(next_velocity_)) =
@@ -305,7 +359,11 @@ class CoupledRun {
     ++next_velocity_;
   }
 
-  void WritePose(const CoupledFlow& state, const CoupledTangent& tangent, CoupledOutputs* to) {
+  void WritePose(double t,
+                 const CoupledFlow& in_water,
+                 const CoupledTangent& tangent_in_water,
+                 CoupledOutputs* to) {
+    const auto [state, tangent] = OverGround(t, in_water, tangent_in_water);
     to->pose[next_pose_] = {state.nu, state.attitude, state.position};
     if (with_tangent_) {
       const auto row = 6 * static_cast<Eigen::Index>(next_pose_);
@@ -330,6 +388,13 @@ class CoupledRun {
   TangentLaw laws_[4];                                  // at the stages of a step
   Eigen::Matrix<double, 6, Eigen::Dynamic> forces_[4];  // of the entries, there
   TangentStep step_;
+
+  Eigen::Vector3d current_ = Eigen::Vector3d::Zero();                   // world [m/s]
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> current_columns_;  // and the axis of each
+  bool flows_ = false;                                                  // whether either is there
+  double start_ = 0.0;                                                  // [s]
+  CoupledFlow over_ground_;
+  CoupledTangent tangent_over_ground_;
 
   bool jumps_ = false;  // whether a tangent may, where the command changes
   std::size_t next_velocity_ = 0, next_pose_ = 0;

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace fathom {
 
 // Bursts in which a sensor says nothing.
@@ -76,9 +78,10 @@ struct Experiment {
   double command_rate = 10.0;       // [Hz], of the command and the controllers, above 0
   double command_resolution = 0.0;  // forces are rounded to multiples of it; 0: not rounded
   std::vector<Drive> drives;        // in the order of Dof; at least one of these and the next three
-  std::vector<ActuatorDrive> thrusters = {};  // of a coupled vehicle, in place of drives
-  std::vector<ActuatorDrive> fins = {};       // of a coupled vehicle, beside either
-  std::vector<ActuatorDrive> shafts = {};     // likewise
+  std::vector<ActuatorDrive> thrusters = {};          // of a coupled vehicle, in place of drives
+  std::vector<ActuatorDrive> fins = {};               // of a coupled vehicle, beside either
+  std::vector<ActuatorDrive> shafts = {};             // likewise
+  Eigen::Vector2d current = Eigen::Vector2d::Zero();  // of a coupled vehicle: north, east [m/s]
   std::optional<VelocitySensor> velocity;
   std::optional<PoseSensor> pose;
   std::vector<TimeInterval> held_out;  // log time [s]

@@ -254,6 +254,10 @@ Experiment ParseExperiment(const std::string& name, const std::string& text) {
       experiment.shafts.empty()) {
     file.Fail("drives no DOF, expected at least one of surge, sway, heave, roll, pitch, yaw.");
   }
+  if (const auto map = file.OptionalMap("current")) {
+    experiment.current = {NumberWithin(*map, "north", -kLargest, kLargest, 0.0),
+                          NumberWithin(*map, "east", -kLargest, kLargest, 0.0)};
+  }
   if (const auto map = file.OptionalMap("velocity")) {
     experiment.velocity = ReadVelocitySensor(*map, experiment);
   }

@@ -177,8 +177,10 @@ CoupledOutputs RunOf(const CoupledTruth& truth,
 }
 
 // One row of forces, fins and shafts alone, which holds from its stamp on.
-CoupledInputs RowOf(const CoupledCommand& command, std::size_t row) {
+CoupledInputs RowOf(const CoupledInputs& all, std::size_t row) {
+  const CoupledCommand& command = all.command;
   CoupledInputs inputs;
+  inputs.log = all.log;
   inputs.command.time = {command.time[row]};
   inputs.command.force = {command.force[row]};
   for (const CommandedFin& fin : command.fins) {
@@ -205,7 +207,7 @@ void DriveForces(const Experiment& experiment, std::uint64_t seed, CoupledTruth*
     }
     if (!is_controlled || k + 1 == command.time.size()) continue;
     state = RunOf(*truth,
-                  RowOf(command, k),
+                  RowOf(truth->inputs, k),
                   state,
                   {.start = command.time[k], .velocity = {}, .pose = {command.time[k + 1]}})
                 .pose.back();
@@ -225,6 +227,8 @@ CoupledTruth DriveCoupled(const Vehicle& vehicle,
   CoupledTruth truth;
   truth.vehicle = vehicle.name;
   truth.model = *vehicle.coupled;
+  truth.inputs.log = experiment.name;
+  truth.model.current = {{experiment.name, experiment.current}};
   for (const Drive& drive : experiment.drives) {
     truth.start.nu[Index(drive.dof)] = drive.initial_speed;
   }

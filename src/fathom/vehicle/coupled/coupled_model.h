@@ -12,7 +12,7 @@
 
 namespace fathom {
 
-// Several degrees of freedom of a vehicle in still water.
+// Several degrees of freedom of a vehicle, in still water or a steady current.
 //
 //   M dnu/dt + C(nu) nu + D(nu) nu + g(eta) + o = B(kappa) T + F(nu, angles)   docs/coupled.md (1)
 //
@@ -32,7 +32,9 @@ namespace fathom {
 // Rows and columns by Index(Dof). Rows of DOFs outside `dofs` are no equations; a column there
 // tells what a measured partner does. Entries that are not known are 0.
 //
-// It fails in waves and current, near walls, and where thrust depends on the inflow but for that
+// In a current nu is the velocity through the water; that over ground has the current beside it.
+//
+// It fails in waves, near walls, and where thrust depends on the inflow but for that
 // of shafts, shaft.h.
 struct CoupledModel {
   std::vector<Dof> dofs;  // those that it moves, in the order of Dof, each once
@@ -70,6 +72,10 @@ struct CoupledModel {
 
   // Those of the thrust of every thruster, alike, by name.
   std::map<std::string, double> thruster_effects = {};
+
+  // The steady current of a run by the name of its log: along x (north) and y (east) of the world
+  // [m/s]; absent: 0.
+  std::map<std::string, Eigen::Vector2d> current = {};
 
   bool coriolis = false;
 };

@@ -99,6 +99,17 @@ FreeEntry ParseEffect(std::string_view name, const Effect& effect, std::string_v
   return EffectEntry(effect, *row);
 }
 
+// "north.dive_3" of a current.
+FreeEntry ParseCurrent(std::string_view name, std::string_view tail) {
+  for (const auto& [axis, dof] : {std::pair{std::string_view("north."), Dof::kSurge},
+                                  std::pair{std::string_view("east."), Dof::kSway}}) {
+    if (tail.starts_with(axis) && tail.size() > axis.size()) {
+      return CurrentEntry(dof, std::string(tail.substr(axis.size())));
+    }
+  }
+  RefuseEntry(name, "current.north. or current.east. and the name of a log");
+}
+
 double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
   switch (entry.kind) {
     case EntryKind::kInertia:
@@ -141,6 +152,9 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       const std::string name(entry.effect->info().name);
       return &model->thruster_effects.try_emplace(name, 0.0).first->second;
     }
+    case EntryKind::kCurrent:
+      return &model->current.try_emplace(entry.actuator, Eigen::Vector2d::Zero())
+                  .first->second[Index(entry.row)];
   }
   return nullptr;
 }
@@ -181,6 +195,9 @@ FreeEntry FinStuckEntry(const std::string& fin) {
 FreeEntry FinLagEntry(const std::string& fin) {
   return {EntryKind::kFinLag, Dof::kSurge, Dof::kSurge, fin};
 }
+FreeEntry CurrentEntry(Dof axis, const std::string& log) {
+  return {EntryKind::kCurrent, axis, axis, log};
+}
 FreeEntry EffectEntry(const Effect& effect, Dof row) {
   return {EntryKind::kEffect, row, row, {}, &effect};
 }
@@ -193,8 +210,10 @@ bool IsOfActuator(const FreeEntry& entry) {
          entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
          entry.kind == EntryKind::kFinStuck || entry.kind == EntryKind::kFinLag ||
          entry.kind == EntryKind::kTimeOffset || entry.kind == EntryKind::kThrusterLag ||
-         entry.kind == EntryKind::kThrusterEffect;
+         entry.kind == EntryKind::kThrusterEffect || IsOfRun(entry);
 }
+
+bool IsOfRun(const FreeEntry& entry) { return entry.kind == EntryKind::kCurrent; }
 
 bool IsLag(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kFinLag;
@@ -234,6 +253,10 @@ int ParameterOf(const FreeEntry& entry) {
 }
 
 std::string NameOf(const FreeEntry& entry) {
+  if (entry.kind == EntryKind::kCurrent) {
+    const bool is_north = entry.row == Dof::kSurge;
+    return fmt::format("current.{}.{}", is_north ? "north" : "east", entry.actuator);
+  }
   const std::string_view kind =
       IsEffect(entry) ? entry.effect->info().name : NameOfKind(entry.kind);
   if (IsOneOfModel(entry.kind)) return std::string(kind);
@@ -247,6 +270,7 @@ FreeEntry ParseFreeEntry(std::string_view name) {
   const std::string_view head = name.substr(0, dot);
   const bool has_tail = dot != std::string_view::npos;
   const std::string_view tail = has_tail ? name.substr(dot + 1) : std::string_view();
+  if (head == "current") return ParseCurrent(name, tail);
   if (const Effect* effect = EffectOfName(head)) return ParseEffect(name, *effect, tail);
   const auto found = std::find_if(
       kNamedKinds.begin(), kNamedKinds.end(), [&](const NamedKind& k) { return k.name == head; });
@@ -255,8 +279,8 @@ FreeEntry ParseFreeEntry(std::string_view name) {
                 "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
                 "offset, thrust_gain, thrust_angle, time_offset, thruster_lag, lift, fin_force, "
                 "fin_race, fin_neutral, fin_stuck, fin_lag, damping_asymmetry, cubic_damping, "
-                "coulomb_friction, thrust_dead_zone or thrust_asymmetry, a dot, and what it "
-                "belongs to");
+                "coulomb_friction, thrust_dead_zone, thrust_asymmetry or current, a dot, and what "
+                "it belongs to");
   }
   const EntryKind kind = found->kind;
   if (IsOneOfModel(kind)) {
@@ -320,6 +344,8 @@ std::string SiUnitOf(const FreeEntry& entry) {
     case EntryKind::kThrusterLag:
     case EntryKind::kFinLag:
       return "s";
+    case EntryKind::kCurrent:
+      return "m/s";
     case EntryKind::kEffect:
     case EntryKind::kThrusterEffect:
       break;  // UnitOf() below
@@ -336,8 +362,8 @@ std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
         quantity, entry.row, force_unit == "N" ? std::string(ForceUnit(entry.row)) : force_unit);
   }
   const std::string unit = SiUnitOf(entry);
-  const bool has_force =
-      unit != "1" && unit != "rad" && unit != "s" && entry.kind != EntryKind::kFinRace;
+  const bool has_force = unit != "1" && unit != "rad" && unit != "s" && unit != "m/s" &&
+                         entry.kind != EntryKind::kFinRace;
   if (force_unit == "N" || !has_force) return unit;
   return fmt::format("{} {}/N", unit, force_unit);
 }
@@ -383,6 +409,9 @@ std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
   for (const auto& [fin, neutral] : model.fin_neutral) add(FinNeutralEntry(fin), 0.0);
   for (const auto& [fin, angle] : model.fin_stuck) entries.push_back(FinStuckEntry(fin));
   for (const auto& [fin, lag] : model.fin_lag) add(FinLagEntry(fin), 0.0);
+  for (const auto& [log, current] : model.current) {
+    for (const Dof axis : {Dof::kSurge, Dof::kSway}) add(CurrentEntry(axis, log), 0.0);
+  }
   return entries;
 }
 

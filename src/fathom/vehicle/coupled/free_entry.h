@@ -35,6 +35,7 @@ namespace fathom {
 //   fin_lag.rudder                time constant with which its angle follows the command
 //   coulomb_friction.surge        an effect along a DOF, coupled_effects.h
 //   thrust_dead_zone              one of the thrust of every thruster
+//   current.north.dive_3          along x of the world, in the log `dive_3`; current.east.dive_3
 struct FreeEntry {
   enum class Kind {
     kInertia,
@@ -55,12 +56,14 @@ struct FreeEntry {
     kFinLag,
     kEffect,
     kThrusterEffect,
+    kCurrent,  // row: surge for north, sway for east
   };
   Kind kind = Kind::kInertia;
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
   Dof column =
       Dof::kSurge;  // by whose velocity or acceleration; the row itself where there is none
-  std::string actuator = {};       // the thruster of a thrust gain, the fin of a fin's number
+  // The thruster of a thrust gain, the fin of a fin's number, the log of a current.
+  std::string actuator = {};
   const Effect* effect = nullptr;  // of kEffect and kThrusterEffect; of the catalogue
 
   bool operator==(const FreeEntry&) const = default;
@@ -82,14 +85,19 @@ FreeEntry FinRaceEntry(const std::string& fin);
 FreeEntry FinNeutralEntry(const std::string& fin);
 FreeEntry FinStuckEntry(const std::string& fin);
 FreeEntry FinLagEntry(const std::string& fin);
+FreeEntry CurrentEntry(Dof axis, const std::string& log);
 FreeEntry EffectEntry(const Effect& effect, Dof row);
 FreeEntry ThrusterEffectEntry(const Effect& effect);
 
-// Whether it belongs to a thruster, a fin or all of them instead of a row and a column.
+// Whether it belongs to a thruster, a fin or all of them, or to a log, instead of a row and a
+// column.
 bool IsOfActuator(const FreeEntry& entry);
 
 // Whether it is a time constant, which is above 0 s.
 bool IsLag(const FreeEntry& entry);
+
+// Whether it holds in one log alone.
+bool IsOfRun(const FreeEntry& entry);
 
 // Whether it is above 0 in every model: a time constant, or an effect that takes energy or thrust.
 bool IsPositive(const FreeEntry& entry);

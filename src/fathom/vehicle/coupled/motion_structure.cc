@@ -163,7 +163,8 @@ std::vector<std::vector<Dof>> BlocksOf(const MotionStructure& structure,
   JoinBy(pattern.linear_damping, modelled, &joined);
   JoinBy(pattern.quadratic_damping, modelled, &joined);
   JoinBy(pattern.lift, modelled, &joined);
-  if (pattern.thrust_angle != 0.0 && modelled[0] && modelled[1]) joined.Join(0, 1);
+  if ((pattern.thrust_angle != 0.0 || !pattern.current.empty()) && modelled[0] && modelled[1])
+    joined.Join(0, 1);
   if (!pattern.fin_force.empty()) JoinBy(Matrix6::Ones(), modelled, &joined);  // by the fins' flow
   if (structure.coriolis) {
     Vector6 nu = Vector6::Zero();

@@ -78,7 +78,9 @@ CoupledState Moving() {
   return start;
 }
 
-void ExpectASecondSimulatorDoesTheSame(const CoupledModel& model, const CoupledInputs& inputs) {
+void ExpectASecondSimulatorDoesTheSame(const CoupledModel& model,
+                                       const CoupledInputs& inputs,
+                                       const Eigen::Vector3d& current = Eigen::Vector3d::Zero()) {
   CoupledStamps stamps;
   for (int k = 0; k < 15; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
   stamps.pose = stamps.velocity;
@@ -88,6 +90,7 @@ void ExpectASecondSimulatorDoesTheSame(const CoupledModel& model, const CoupledI
 
   PlainSimulator plain(model);
   plain.nu = start.nu;
+  plain.current = current;
   plain.world_from_body = Eigen::Quaterniond(start.attitude).toRotationMatrix();
   plain.position = start.position;
   for (std::size_t k = 0; k < 15; ++k) {
@@ -118,6 +121,14 @@ TEST(RunCoupled, GoesWithEffectsAsASecondSimulatorDoes) {
   CoupledInputs inputs = Steps(15);
   inputs.command.thrusters.clear();
   ExpectASecondSimulatorDoesTheSame(RovWithEffects(), inputs);
+}
+
+TEST(RunCoupled, GoesInACurrentAsASecondSimulatorDoes) {
+  CoupledInputs inputs = Steps(15);
+  inputs.log = "dive";
+  CoupledModel model = Rov();
+  model.current = {{"dive", {0.3, -0.2}}, {"another dive", {1.0, 1.0}}};
+  ExpectASecondSimulatorDoesTheSame(model, inputs, {0.3, -0.2, 0.0});
 }
 
 TEST(RunCoupled, TakesADeadZoneAndTheWeaknessAsternOffEveryThruster) {
@@ -534,12 +545,11 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
   structure.entries.push_back(FinRaceEntry("rudder"));
   structure.entries.push_back(FinNeutralEntry("rudder"));
   structure.entries.push_back(FinStuckEntry("stuck"));
-  // An offset moves the steps, whose errors at the kink of a friction its differences would hold.
-  if (model.effects.empty()) structure.entries.push_back(TimeOffsetEntry());
+  structure.entries.push_back(TimeOffsetEntry());
   if (model.thruster_lag > 0.0) structure.entries.push_back(ThrusterLagEntry());
   for (const auto& [fin, lag] : model.fin_lag) structure.entries.push_back(FinLagEntry(fin));
   for (const FreeEntry& entry : EntriesIn(model)) {
-    if (IsEffect(entry)) structure.entries.push_back(entry);
+    if (IsEffect(entry) || IsOfRun(entry)) structure.entries.push_back(entry);
   }
   CoupledStamps stamps;
   stamps.start = 0.1;  // at no change of the command, which an offset moves in or out
@@ -609,9 +619,19 @@ TEST(RunCoupledWithSensitivities, HasThemWithLags) {
   ExpectDerivativesOfDifferences(lagged, FinnedSteps(5));
 }
 
+TEST(RunCoupledWithSensitivities, HasThemInACurrent) {
+  CoupledInputs inputs = FinnedSteps(5);
+  inputs.log = "dive";
+  CoupledModel model = FinnedRov();
+  model.current = {{"dive", {0.3, -0.2}}};
+  ExpectDerivativesOfDifferences(model, inputs);
+}
+
 TEST(RunCoupledWithSensitivities, HasThemWithEffects) {
   CoupledModel model = FinnedRov();
   model.effects = RovWithEffects().effects;
+  // Differences would show the errors of the steps at the kink of a large one.
+  model.effects["coulomb_friction"] *= 0.02;
   model.thruster_effects = {{"thrust_dead_zone", 1.0}, {"thrust_asymmetry", 0.25}};
   model.thruster_lag = 0.3;
   ExpectDerivativesOfDifferences(model, FinnedSteps(5));

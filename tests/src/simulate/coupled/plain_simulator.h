@@ -21,7 +21,8 @@ class PlainSimulator {
   Vector6 nu = Vector6::Zero();
   Eigen::Matrix3d world_from_body = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::function<Vector6(const Vector6&)> more;  // a further force by nu; may be empty
+  Eigen::Vector3d current = Eigen::Vector3d::Zero();  // of the water over ground, world [m/s]
+  std::function<Vector6(const Vector6&)> more;        // a further force by nu; may be empty
 
   explicit PlainSimulator(CoupledModel model) : model_(std::move(model)) {}
 
@@ -73,7 +74,17 @@ class PlainSimulator {
     return Eigen::AngleAxisd(angle, by / angle).toRotationMatrix();
   }
 
+  // Of the velocity over ground: that of the water changes in the body's frame as the body turns.
   Vector6 Rate(const Vector6& v, const Eigen::Matrix3d& rotation, const Vector6& tau) const {
+    const Eigen::Vector3d water = rotation.transpose() * current;
+    Vector6 through = v;
+    through.head<3>() -= water;
+    Vector6 rate = RateInWater(through, rotation, tau);
+    rate.head<3>() += water.cross(v.tail<3>());
+    return rate;
+  }
+
+  Vector6 RateInWater(const Vector6& v, const Eigen::Matrix3d& rotation, const Vector6& tau) const {
     const Matrix6& m = model_.inertia;
     const Eigen::Vector3d v1 = v.head<3>(), v2 = v.tail<3>();
     const Eigen::Vector3d a = m.block<3, 3>(0, 0) * v1 + m.block<3, 3>(0, 3) * v2;
