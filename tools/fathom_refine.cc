@@ -13,6 +13,7 @@
 #include "fathom/comparison/image_comparison.h"
 #include "fathom/comparison/image_comparison_file.h"
 #include "fathom/comparison/image_comparison_page.h"
+#include "fathom/coupled_refinement/film_json.h"
 #include "fathom/coupled_refinement/film_page.h"
 #include "fathom/coupled_refinement/film_refinement.h"
 #include "fathom/coupled_refinement/film_text.h"
@@ -69,7 +70,10 @@ DEFINE_double(mount_angle_std,
               0.0,
               "Estimate the camera's direction, with this prior standard deviation [rad]. 0: the "
               "direction is exact.");
-DEFINE_string(json, "", "Write a row for each family, and the refinement, to this JSON file.");
+DEFINE_string(json,
+              "",
+              "Write a row for each family, and the refinement, to this JSON file; of --dofs both "
+              "models and their free runs.");
 DEFINE_string(model, "", "Write the joint model to this JSON file.");
 DEFINE_string(trajectory,
               "",
@@ -186,8 +190,11 @@ int RunCoupledRefinement() {
   options.identification = StructuredOptionsFromFlags();
   std::vector<std::string> inputs = InputsFromFlags();
   if (!FLAGS_true_poses.empty()) inputs.push_back(FLAGS_true_poses);
-  RequireOutputs(
-      {{"model", FLAGS_model}, {"trajectory", FLAGS_trajectory}, {"report", FLAGS_report}}, inputs);
+  RequireOutputs({{"json", FLAGS_json},
+                  {"model", FLAGS_model},
+                  {"trajectory", FLAGS_trajectory},
+                  {"report", FLAGS_report}},
+                 inputs);
   const std::optional<Stream> truth = TruePoses();
   std::vector<Log> logs = ReadCoupledLogsFromFlags(/*may_lack_motion=*/true);
   RequireTrainingData(logs);
@@ -212,7 +219,9 @@ int RunCoupledRefinement() {
     return kExitNoFit;
   }
   PrintText(stdout, FormatFilmRefinement(refinement));
-  if (truth) PrintText(stdout, FormatPathErrors(PathErrorsOf(refinement, *truth)));
+  std::optional<PathErrors> path;
+  if (truth) path = PathErrorsOf(refinement, *truth);
+  if (path) PrintText(stdout, FormatPathErrors(*path));
   refinement.fitted.log_fingerprints = std::move(fingerprints);
   refinement.fitted.provenance = {{"log", fmt::format("{}", fmt::join(LogPathsFromFlags(), ","))},
                                   {"family", std::string(Name(Family::kJoint))},
@@ -220,6 +229,7 @@ int RunCoupledRefinement() {
                                   {"structure", FLAGS_structure},
                                   {"window", fmt::format("{}", FLAGS_window)},
                                   {"version", FATHOM_VERSION}};
+  if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatFilmRefinementJson(refinement, path));
   if (!FLAGS_model.empty()) WriteFile(FLAGS_model, FormatCoupledModel(refinement.fitted));
   if (!FLAGS_trajectory.empty()) WriteFilmTrajectory(refinement);
   if (!FLAGS_report.empty()) {
@@ -233,7 +243,6 @@ int RunCoupledRefinement() {
 // Flags that only the refinement of one DOF heeds.
 std::vector<const char*> FlagsOfOneDof() {
   return {"dof",
-          "json",
           "initial_guess",
           "clock_offset_std",
           "size_scale_std",

@@ -239,6 +239,7 @@ TEST(RefineTool, RefinesSeveralDofsTogether) {
                                               "--structure=symmetric",
                                               Flag("true_poses", log / "pose.csv"),
                                               Flag("model", folder / "model.json"),
+                                              Flag("json", folder / "refinement.json"),
                                               Flag("trajectory", folder / "path.csv")};
   const ToolRun run = RunsWell("fathom_refine", arguments);
   EXPECT_THAT(run.out, HasSubstr("inertia.sway.yaw"));
@@ -250,6 +251,14 @@ TEST(RefineTool, RefinesSeveralDofsTogether) {
   EXPECT_NEAR(model["parameters"]["inertia.surge"]["value"].get<double>(), 34.0, 0.34);
   EXPECT_NEAR(model["parameters"]["inertia.sway.yaw"]["value"].get<double>(), 1.6, 0.016);
   EXPECT_GT(model["parameters"]["inertia.surge"]["std"].get<double>(), 0.0);
+  const nlohmann::json refinement = JsonOf(folder / "refinement.json");
+  EXPECT_EQ(refinement["schema"], "fathom-film-refinement-1");
+  EXPECT_EQ(refinement["joint"]["model"]["parameters"], model["parameters"]);
+  EXPECT_LT(refinement["joint"]["free_runs"]["train"]["sway"]["nmae"].get<double>(), 0.1);
+  const nlohmann::json& path = refinement["path"];
+  EXPECT_EQ(path["of_pnp"]["frames"], 300);
+  EXPECT_LT(path["refined"]["position"].get<double>(),
+            0.5 * path["of_pnp"]["position"].get<double>());
   EXPECT_THAT(TextOf(folder / "path.csv"),
               HasSubstr("t,x,y,z,qx,qy,qz,qw,sx,sy,sz,sroll,spitch,syaw"));
   // As every other model file.
