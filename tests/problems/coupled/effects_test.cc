@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
                                      DrawnEffect{"damping_asymmetry.surge", 0.5, 1.5},
                                      DrawnEffect{"thrust_dead_zone.surge", 2, 8},
                                      DrawnEffect{"thrust_asymmetry.sway", 0.15, 0.5}),
-                     testing::Values(10u, 11u)));
+                     testing::Values(10u)));
 
 // 200 s of a vehicle that knows its heading, in a current of about 0.15 m/s.
 TEST(ACurrent, IsNamedByWhereItFlows) {
