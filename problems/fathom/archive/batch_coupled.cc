@@ -17,7 +17,7 @@ std::optional<BatchCoupled> CoupledInVerdict(const std::string& verdict) {
                             .beyond_diagonal = {}};
     for (const FreeEntry& entry : fitted.entries) {
       const bool is_diagonal = !IsOfActuator(entry) && entry.row == entry.column;
-      if (!is_diagonal && !IsOfRun(entry)) coupled.beyond_diagonal.push_back(NameOf(entry));
+      if (!is_diagonal) coupled.beyond_diagonal.push_back(NameOf(entry));
     }
     return coupled;
   } catch (const InputError&) {

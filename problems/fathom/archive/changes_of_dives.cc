@@ -32,12 +32,17 @@ DiveEstimate EstimateOf(const FittedDive& fit, int place) {
     const FittedCoupledModel fitted = ParseCoupledModel(fit.vehicle, fit.model);
     DiveEstimate estimate;
     estimate.dive = place;
-    estimate.value.resize(std::ssize(fitted.entries));
-    for (Eigen::Index i = 0; i < estimate.value.size(); ++i) {
-      estimate.value(i) = ValueIn(fitted.model, fitted.entries[static_cast<std::size_t>(i)]);
+    std::vector<Eigen::Index> of_vehicle;  // a current says nothing of it
+    for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
+      if (IsOfRun(fitted.entries[k])) continue;
+      of_vehicle.push_back(static_cast<Eigen::Index>(k));
+      estimate.entries.push_back(fitted.entries[k]);
     }
-    estimate.covariance = fitted.covariance;
-    estimate.entries = fitted.entries;
+    estimate.value.resize(std::ssize(of_vehicle));
+    for (Eigen::Index i = 0; i < estimate.value.size(); ++i) {
+      estimate.value(i) = ValueIn(fitted.model, estimate.entries[static_cast<std::size_t>(i)]);
+    }
+    estimate.covariance = fitted.covariance(of_vehicle, of_vehicle);
     return estimate;
   }
   const FittedModel model = ParseModel(fit.vehicle, fit.model);

@@ -4,9 +4,11 @@
 #include "fathom/archive/coupled_dives.h"
 
 #include "fathom/archive/store/compared_dofs.h"
+#include "fathom/vehicle/coupled/free_entry.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -37,12 +39,14 @@ LogsOfDofs LogsWithCoupledModels(const std::vector<BatchLog>& logs) {
   return by_dofs;
 }
 
+bool IsCurrent(const std::string& entry) { return IsOfRun(ParseFreeEntry(entry)); }
+
 // What all dives of these logs free beyond a diagonal model.
 std::vector<std::string> FreeInAll(const std::vector<const BatchLog*>& logs) {
   std::map<std::string, std::set<std::string>> dives_that_show;
   for (const BatchLog* log : logs) {
     for (const std::string& entry : log->coupled->beyond_diagonal) {
-      dives_that_show[entry].insert(log->dive);
+      if (!IsCurrent(entry)) dives_that_show[entry].insert(log->dive);
     }
   }
   std::vector<std::string> free;
@@ -70,8 +74,10 @@ std::map<CoupledFitKey, CoupledDiveTask> CoupledDiveTasks(
       task.dive = log->dive;
       task.dofs = key.second;
       task.coriolis = 2 * num_coriolis > std::ssize(of_dofs);
-      task.free = free;
+      if (task.logs.empty()) task.free = free;
       task.logs.push_back(log->log);
+      // A current is that of its own log.
+      std::ranges::copy_if(log->coupled->beyond_diagonal, std::back_inserter(task.free), IsCurrent);
     }
   }
   return tasks;
