@@ -63,11 +63,6 @@ DEFINE_double(decay_from,
               "anyway.");
 DEFINE_string(json, "", "Of a free decay: write what it tells to this JSON file.");
 
-DEFINE_string(free,
-              "",
-              "Of --dofs, beside what --structure frees: inertia.sway.yaw,thrust_gain.port, as "
-              "docs/coupled.md names them.");
-
 DECLARE_string(correct);
 DECLARE_string(held_out);
 
@@ -233,21 +228,8 @@ int RunFreeDecay(const std::vector<Log>& logs, const LogIdentificationOptions& o
   return kExitUsable;
 }
 
-CoupledIdentificationOptions CoupledOptionsWithFree() {
-  CoupledIdentificationOptions options = StructuredOptionsFromFlags();
-  for (const std::string& name : SplitAtCommas(FLAGS_free)) {
-    options.also_free.push_back(ParseFlag("free", name, ParseFreeEntry));
-  }
-  if (!options.also_free.empty() && !options.structure) {
-    throw InputError(
-        "--free: goes with a structure that is given, expected --structure beside it: "
-        "--structure=auto chooses for itself.");
-  }
-  return options;
-}
-
 int RunCoupledIdentification() {
-  const CoupledIdentificationOptions options = CoupledOptionsWithFree();
+  const CoupledIdentificationOptions options = StructuredOptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}}, InputsFromFlags());
   std::vector<Log> logs = ReadCoupledLogsFromFlags();
   // Before the fit, which takes a while.
@@ -291,10 +273,6 @@ int Run() {
   if (HasDecayFrom()) of_one_dof.push_back("decay_from");
   RequireFlagsOfOneKind(of_one_dof);
   if (IsCoupledAsked()) return RunCoupledIdentification();
-  if (!FLAGS_free.empty()) {
-    throw InputError(
-        "--free: goes with --dofs, expected none: without it a model of one DOF is made.");
-  }
   const LogIdentificationOptions options = OptionsFromFlags();
   RequireOutputs({{"model", FLAGS_model}, {"json", FLAGS_json}}, InputsFromFlags());
   std::vector<Log> logs = LogsFromFlags(options);

@@ -92,7 +92,8 @@ const ToolInfo kInfo = {
     .summary = "Estimates model and camera trajectory together from the corners of markers.",
     .usage =
         "--log=LOG --dof=DOF [--json=FILE] [--model=FILE] [--trajectory=FILE] [--report=FILE]\n"
-        "--log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE] [--window=SECONDS] [--model=FILE] "
+        "--log=LOG --dofs=DOF,DOF... [--structure=STRUCTURE] [--free=ENTRIES] [--window=SECONDS] "
+        "[--model=FILE] "
         "[--trajectory=FILE] [--report=FILE] [--true_poses=FILE]",
     .example =
         "fathom_synthesize --vehicle=data/vehicles/flatfish.yaml "
@@ -229,6 +230,7 @@ int RunCoupledRefinement() {
                                   {"structure", FLAGS_structure},
                                   {"window", fmt::format("{}", FLAGS_window)},
                                   {"version", FATHOM_VERSION}};
+  if (!FLAGS_free.empty()) refinement.fitted.provenance["free"] = FLAGS_free;
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatFilmRefinementJson(refinement, path));
   if (!FLAGS_model.empty()) WriteFile(FLAGS_model, FormatCoupledModel(refinement.fitted));
   if (!FLAGS_trajectory.empty()) WriteFilmTrajectory(refinement);

@@ -212,7 +212,7 @@ TEST(RefineTool, RefusesWhatItCannotUse) {
 }
 
 // Surge, sway and yaw of data/vehicles/planar_rov.yaml at once, 40 s.
-fs::path SynthesizePlane(const fs::path& log) {
+fs::path SynthesizePlane(const fs::path& log, const std::string& more = "") {
   std::string text = TextOf(fs::path(kData) / "experiments/film_planar.yaml");
   const auto replace = [&](const std::string& from, const std::string& to) {
     const auto at = text.find(from);
@@ -222,7 +222,7 @@ fs::path SynthesizePlane(const fs::path& log) {
   replace("duration: 120", "duration: 40");
   replace("[100, 120]", "[30, 40]");
   replace("logged: false", "logged: true");
-  const fs::path experiment = WriteTestFile(log.string() + ".yaml", text);
+  const fs::path experiment = WriteTestFile(log.string() + ".yaml", text + more);
   RunsWell("fathom_synthesize",
            {"--vehicle=" + kData + "/vehicles/planar_rov.yaml",
             Flag("experiment", experiment),
@@ -236,7 +236,8 @@ TEST(RefineTool, RefinesSeveralDofsTogether) {
   const fs::path log = SynthesizePlane(folder / "log");
   const std::vector<std::string> arguments = {Flag("log", log),
                                               "--dofs=surge,sway,yaw",
-                                              "--structure=symmetric",
+                                              "--structure=coriolis",
+                                              "--free=inertia.sway.yaw",
                                               Flag("true_poses", log / "pose.csv"),
                                               Flag("model", folder / "model.json"),
                                               Flag("json", folder / "refinement.json"),
@@ -279,6 +280,26 @@ TEST(RefineTool, RefinesSeveralDofsTogether) {
               HasSubstr("--true_poses: goes with --dofs, expected none without it"));
   EXPECT_THAT(refusal({"--dofs=surge,sway,yaw", Flag("true_poses", log / "velocity.csv")}),
               HasSubstr("velocity.csv"));
+}
+
+// The camera sees the water carry the vehicle off: 2 cm a second.
+TEST(RefineTool, FindsTheCurrentOfARun) {
+  const fs::path folder = EmptyTestFolder();
+  const fs::path log = SynthesizePlane(folder / "log", "current: {north: -0.02, east: 0.02}\n");
+  RunsWell("fathom_refine",
+           {Flag("log", log),
+            "--dofs=surge,sway,yaw",
+            "--structure=coriolis",
+            "--free=inertia.sway.yaw,current.north.film_planar,current.east.film_planar",
+            Flag("model", folder / "model.json")});
+  const nlohmann::json parameters = JsonOf(folder / "model.json")["parameters"];
+  const auto expect = [&](const char* name, double truth) {
+    const double std = parameters[name]["std"].get<double>();
+    EXPECT_LT(std, 2e-4) << name;
+    EXPECT_NEAR(parameters[name]["value"].get<double>(), truth, 4.0 * std) << name;
+  };
+  expect("current.north.film_planar", -0.02);
+  expect("current.east.film_planar", 0.02);
 }
 
 TEST(RefineTool, HasNoCoupledModelOfAVehicleThatHardlyTurns) {

@@ -22,8 +22,9 @@ using CoupledFitKey = std::tuple<std::string, std::string, int>;
 //
 // All dives of a vehicle free the same numbers, as else they could not be compared: those of a
 // diagonal model, and beyond it those that the logs of two dives or more show, as a change has two
-// dives on either side; and the current that a log shows, which is of it alone. C(nu) acts where it does in more than half of the logs. Logs without a
-// usable coupled model, and those that the fits of single DOFs leave out, take no part.
+// dives on either side; and the current that a log shows, which is of it alone. C(nu) acts where it
+// does in more than half of the logs. Logs without a usable coupled model, and those that the fits
+// of single DOFs leave out, take no part.
 std::map<CoupledFitKey, CoupledDiveTask> CoupledDiveTasks(
     const std::vector<BatchLog>& logs, const std::map<std::string, int>& place_of_dive);
 

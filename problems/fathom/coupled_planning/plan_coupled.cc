@@ -93,10 +93,11 @@ std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
       "{}: key 'force' names no DOF, expected one to command at the least.", request.limits_name));
 }
 
-// Numbers of one thruster or one fin, of which a wrench tells nothing, and what two clocks differ
-// by.
+// Numbers of thrusters and fins, of which a wrench tells nothing, the current of another run, and
+// what two clocks differ by.
 bool IsLeftOut(const FreeEntry& entry) {
-  return !entry.actuator.empty() || entry.kind == FreeEntry::Kind::kTimeOffset;
+  return !entry.actuator.empty() || entry.kind == FreeEntry::Kind::kThrusterEffect ||
+         entry.kind == FreeEntry::Kind::kTimeOffset;
 }
 
 ToldEntries EntriesToTell(const CoupledPlanRequest& request) {

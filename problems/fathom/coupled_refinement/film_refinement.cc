@@ -39,6 +39,7 @@ std::vector<Log> WithoutVelocity(std::vector<Log> logs) {
 std::shared_ptr<const CoupledInputs> CommandAlone(const CoupledData& data) {
   auto inputs = std::make_shared<CoupledInputs>();
   inputs->command = data.inputs.command;
+  inputs->log = data.inputs.log;
   return inputs;
 }
 

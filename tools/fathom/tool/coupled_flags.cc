@@ -33,7 +33,7 @@ bool IsCoupledAsked() { return !FLAGS_dofs.empty(); }
 
 void RequireFlagsOfOneKind(const std::vector<const char*>& of_one_dof) {
   if (!IsCoupledAsked()) {
-    for (const char* flag : {"structure", "window"}) {
+    for (const char* flag : {"structure", "free", "window"}) {
       if (!IsGiven(flag)) continue;
       throw InputError(fmt::format(
           "--{}: goes with --dofs, expected none: without it a model of one DOF is made.", flag));

@@ -7,13 +7,14 @@
 
 #include <gflags/gflags_declare.h>
 
-// The flag of tools that let the structure of a coupled model be chosen.
+// The flags of tools that let the structure of a coupled model be chosen.
 DECLARE_string(structure);
+DECLARE_string(free);
 
 namespace fathom {
 
-// CoupledOptionsFromFlags() with the structure that --structure names. Throws InputError as there,
-// and for a name that is none.
+// CoupledOptionsFromFlags() with the structure that --structure names and what --free frees beside
+// it. Throws InputError as there, for a name that is none, and for --free without a structure.
 CoupledIdentificationOptions StructuredOptionsFromFlags();
 
 }  // namespace fathom
