@@ -107,6 +107,7 @@ def identify(
     weighting=None,
     dofs=None,
     structure=None,
+    free=None,
     window=None,
 ):
     """The model of one DOF, or with dofs of several coupled ones, from one log or several.
@@ -124,6 +125,7 @@ def identify(
     dofs             several, as ["surge", "sway", "yaw"]: docs/coupled.md
     structure        of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full",
                      "lopsided"
+    free             of dofs: numbers that are free beside a structure, as ["inertia.sway.yaw"]
     window           of dofs: the simulation begins anew after so long [s]. Default 20
 
     An Identification, or with dofs a CoupledIdentification. A fit that does not work does not raise:
@@ -131,7 +133,7 @@ def identify(
     """
     given = {name: value for name, value in locals().items() if name != "log"}
     if dofs is not None:
-        defaults = {"dofs": dofs, "structure": "auto", "window": 20.0}
+        defaults = {"dofs": dofs, "structure": "auto", "free": [], "window": 20.0}
         return _fathom.identify_coupled(
             log, **_with_defaults(given, defaults, _OF_ONE)
         )
@@ -205,6 +207,7 @@ def refine(
     weighting=None,
     dofs=None,
     structure=None,
+    free=None,
     window=None,
     true_poses=None,
 ):
@@ -223,6 +226,7 @@ def refine(
     dofs                several, as ["surge", "sway", "yaw"]: docs/coupled.md
     structure           of dofs: "auto" (default), "diagonal", "coriolis", "lift", "symmetric", "full",
                         "lopsided"
+    free                of dofs: numbers that are free beside a structure, as ["inertia.sway.yaw"]
     window              of dofs: the simulation begins anew after so long [s]. Default 20
     true_poses          of dofs: the path of a CSV as pose.csv, for path_errors
 
@@ -234,6 +238,7 @@ def refine(
         defaults = {
             "dofs": dofs,
             "structure": "auto",
+            "free": [],
             "window": 20.0,
             "true_poses": None,
         }

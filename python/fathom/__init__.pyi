@@ -451,6 +451,7 @@ def identify(
     *,
     dofs: Sequence[str],
     structure: Optional[str] = ...,
+    free: Optional[Sequence[str]] = ...,
     window: Optional[float] = ...,
 ) -> CoupledIdentification: ...
 def compare(
@@ -537,6 +538,7 @@ def refine(
     *,
     dofs: Sequence[str],
     structure: Optional[str] = ...,
+    free: Optional[Sequence[str]] = ...,
     window: Optional[float] = ...,
     true_poses: Optional[_Path] = ...,
 ) -> CoupledRefinement: ...

@@ -15,6 +15,7 @@
 #include "module/number.h"
 #include "module/tell.h"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 namespace fathom {
@@ -37,7 +38,8 @@ struct DiagnosedTogether {
 // Warns of red findings before the fit, which takes a while.
 CoupledInPython FitTogether(const py::object& log,
                             const CoupledIdentificationOptions& options,
-                            const std::string& structure) {
+                            const std::string& structure,
+                            const std::vector<std::string>& free) {
   const std::vector<OpenedLog> opened = LogsOfArgument(log, std::nullopt);
   CoupledInPython result;
   {
@@ -55,20 +57,25 @@ CoupledInPython FitTogether(const py::object& log,
                                          {"structure", structure},
                                          {"window", fmt::format("{}", options.fit.window)},
                                          {"version", FATHOM_VERSION}};
+  if (!free.empty()) {
+    result.identified.fitted.provenance["free"] = fmt::to_string(fmt::join(free, ","));
+  }
   return result;
 }
 
 CoupledInPython IdentifyTogether(const py::object& log,
                                  const std::vector<std::string>& dofs,
                                  const std::string& structure,
+                                 const std::vector<std::string>& free,
                                  double window) {
-  return FitTogether(log, CoupledOptions(dofs, structure, window), structure);
+  return FitTogether(log, CoupledOptions(dofs, structure, free, window), structure, free);
 }
 
 DiagnosedTogether DiagnoseTogether(const py::object& log,
                                    const std::vector<std::string>& dofs,
                                    double window) {
-  DiagnosedTogether result = {FitTogether(log, CoupledOptions(dofs, "auto", window), "auto"), {}};
+  DiagnosedTogether result = {
+      FitTogether(log, CoupledOptions(dofs, "auto", {}, window), "auto", {}), {}};
   if (!result.fit.identified.is_usable) {
     throw InputError("no diagnosis: " + result.fit.identified.message + ".");
   }
@@ -184,6 +191,7 @@ void BindCoupled(py::module_& module) {
              py::arg("log"),
              py::arg("dofs"),
              py::arg("structure"),
+             py::arg("free"),
              py::arg("window"));
   module.def(
       "diagnose_coupled", &DiagnoseTogether, py::arg("log"), py::arg("dofs"), py::arg("window"));

@@ -24,6 +24,7 @@
 #include "module/pose_path.h"
 #include "module/tell.h"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 namespace fathom {
@@ -110,10 +111,11 @@ RefinedInPython RefineInPython(const py::object& log,
 RefinedTogether RefineTogether(const py::object& log,
                                const std::vector<std::string>& dofs,
                                const std::string& structure,
+                               const std::vector<std::string>& free,
                                double window,
                                const std::optional<py::object>& true_poses) {
   FilmRefinementOptions options;
-  options.identification = CoupledOptions(dofs, structure, window);
+  options.identification = CoupledOptions(dofs, structure, free, window);
   std::optional<Stream> truth;
   if (true_poses) {
     const CsvSpec spec = {{"x", "y", "z", "qx", "qy", "qz", "qw"}, {}, ""};
@@ -143,6 +145,9 @@ RefinedTogether RefineTogether(const py::object& log,
                                   {"structure", structure},
                                   {"window", fmt::format("{}", window)},
                                   {"version", FATHOM_VERSION}};
+  if (!free.empty()) {
+    refinement.fitted.provenance["free"] = fmt::to_string(fmt::join(free, ","));
+  }
   if (truth && refinement.is_usable) result.errors = PathErrorsOf(refinement, *truth);
   return result;
 }
@@ -336,6 +341,7 @@ void BindRefine(py::module_& module) {
              py::arg("log"),
              py::arg("dofs"),
              py::arg("structure"),
+             py::arg("free"),
              py::arg("window"),
              py::arg("true_poses"));
 }

@@ -14,6 +14,7 @@ namespace fathom {
 
 CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs,
                                             const std::string& structure,
+                                            const std::vector<std::string>& free,
                                             double window) {
   CoupledIdentificationOptions options;
   options.dofs = ParseList("dofs", dofs, ParseDof);
@@ -26,6 +27,13 @@ CoupledIdentificationOptions CoupledOptions(const std::vector<std::string>& dofs
           "structure: is {}, expected diagonal, coriolis, lift, symmetric, full, lopsided or auto.",
           Quoted(structure)));
     }
+  }
+  options.also_free = ParseList<FreeEntry>(
+      "free", free, [](const std::string& name) { return ParseFreeEntry(name); });
+  if (!free.empty() && !options.structure) {
+    throw InputError(
+        "free: goes with a structure that is given, expected one beside it: \"auto\" chooses for "
+        "itself.");
   }
   options.fit.window = window;
   if (const auto problems = options.fit.Problems(); !problems.empty()) {

@@ -21,14 +21,6 @@ double DeviationAt(const Eigen::MatrixXd& covariance, Eigen::Index i) {
                                : std::numeric_limits<double>::quiet_NaN();
 }
 
-// The bound of an entry on the diagonal of a damping or of the inertia.
-double LowerBoundOf(const FreeEntry& entry) {
-  const bool is_of_motion = entry.kind == FreeEntry::Kind::kInertia ||
-                            entry.kind == FreeEntry::Kind::kLinearDamping ||
-                            entry.kind == FreeEntry::Kind::kQuadraticDamping;
-  return is_of_motion && entry.row == entry.column ? 0.0 : -std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 std::pair<double, double> IdentifiedNumber::Interval() const {

@@ -164,8 +164,11 @@ class EqualsTheTools(Scratch):
             f"--log={FLATFISH}",
             "--dofs=surge,yaw",
             "--structure=diagonal",
+            "--free=linear_damping.surge.yaw",
         )
-        ours = fathom.identify(FLATFISH, dofs=dofs, structure="diagonal")
+        ours = fathom.identify(
+            FLATFISH, dofs=dofs, structure="diagonal", free=["linear_damping.surge.yaw"]
+        )
         self.assertEqual(ours.to_dict(), theirs)
         model = ours.model
         self.assertEqual(model.dofs, dofs)
@@ -498,6 +501,7 @@ class Refusals(Scratch):
         self.refuses("source: is", fathom.identify, FLATFISH, dof="surge", source="sonar")
         self.refuses("offset: is", fathom.identify, FLATFISH, dof="surge", offset="none")
         self.refuses("weighting: is", fathom.identify, FLATFISH, dof="surge", weighting="w")
+        self.refuses("free: goes with", fathom.identify, FLATFISH, dofs=["surge"], free=["offset.surge"])
         self.refuses("structure: is", fathom.identify, FLATFISH, dofs=["surge"], structure="x")
         self.refuses("dofs: names surge twice", fathom.identify, FLATFISH, dofs=["surge"] * 2)
         self.refuses("dofs: is empty", fathom.identify, FLATFISH, dofs=[])

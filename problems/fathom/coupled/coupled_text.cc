@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,15 +17,6 @@
 
 namespace fathom {
 namespace {
-
-// The bound of an entry on the diagonal of a damping.
-double LowerBound(const FreeEntry& entry) {
-  const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
-                          entry.kind == FreeEntry::Kind::kQuadraticDamping;
-  const bool is_bounded =
-      (is_damping || entry.kind == FreeEntry::Kind::kInertia) && entry.row == entry.column;
-  return is_bounded ? 0.0 : -std::numeric_limits<double>::infinity();
-}
 
 std::string EntryUnit(const FreeEntry& entry, const std::string& force_unit) {
   return UnitText(UnitOf(entry, force_unit));
@@ -79,7 +69,7 @@ Table CoupledEntryTable(const FittedCoupledModel& fitted) {
     table.rows.push_back({{NameOf(entry),
                            FormatValue(value, std),
                            EntryUnit(entry, fitted.force_unit),
-                           FormatInterval(value, std, LowerBound(entry))}});
+                           FormatInterval(value, std, LowerBoundOf(entry))}});
   }
   return table;
 }

@@ -7,6 +7,7 @@
 #include "fathom/base/names_of_dofs.h"
 #include "fathom/base/quoted.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -14,14 +15,6 @@
 
 namespace fathom {
 namespace {
-
-// Inertias and dampings on the diagonal are: their intervals end there.
-bool IsAtLeast0(const FreeEntry& entry) {
-  const bool is_bounded = entry.kind == FreeEntry::Kind::kInertia ||
-                          entry.kind == FreeEntry::Kind::kLinearDamping ||
-                          entry.kind == FreeEntry::Kind::kQuadraticDamping;
-  return is_bounded && entry.row == entry.column;
-}
 
 std::string IntervalText(double std, const Interval95& interval) {
   if (!std::isfinite(std)) return ", interval not known";
@@ -55,7 +48,7 @@ std::string LiteralOf(double value) {
 Interval95 IntervalOf(const ExportNumber& number) {
   const double half = kStdsOf95 * number.std;
   const double low = number.value - half;
-  return {IsAtLeast0(number.entry) && low < 0.0 ? 0.0 : low, number.value + half};
+  return {std::max(low, LowerBoundOf(number.entry)), number.value + half};
 }
 
 Interval95 IntervalOf(const ExportEffectValue& value) {

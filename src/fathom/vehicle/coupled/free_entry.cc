@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -223,6 +224,15 @@ bool IsEffect(const FreeEntry& entry) { return entry.effect != nullptr; }
 
 bool IsPositive(const FreeEntry& entry) {
   return IsLag(entry) || (IsEffect(entry) && entry.effect->info().parameters.front().lower == 0.0);
+}
+
+double LowerBoundOf(const FreeEntry& entry) {
+  const bool is_of_body = entry.kind == EntryKind::kInertia ||
+                          entry.kind == EntryKind::kLinearDamping ||
+                          entry.kind == EntryKind::kQuadraticDamping;
+  if ((is_of_body && entry.row == entry.column) || IsLag(entry)) return 0.0;
+  if (IsEffect(entry)) return entry.effect->info().parameters.front().lower;
+  return -std::numeric_limits<double>::infinity();
 }
 
 bool MayBe(const FreeEntry& entry, double value) {

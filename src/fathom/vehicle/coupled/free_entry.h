@@ -105,6 +105,9 @@ bool IsPositive(const FreeEntry& entry);
 // Whether it is an effect of the catalogue.
 bool IsEffect(const FreeEntry& entry);
 
+// The least that it is in a model of a body; minus infinity of a coupling.
+double LowerBoundOf(const FreeEntry& entry);
+
 // Whether a model of a body may hold it at this value: a friction is no drive.
 bool MayBe(const FreeEntry& entry, double value);
 

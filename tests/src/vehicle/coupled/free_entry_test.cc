@@ -5,6 +5,7 @@
 
 #include "fathom/vehicle/parameters.h"
 
+#include <cmath>
 #include <string>
 
 #include "error_from.h"
@@ -103,6 +104,13 @@ TEST(FreeEntry, OfAnEffectTakesEnergyOrThrust) {
   EXPECT_TRUE(MayBe(ParseFreeEntry("damping_asymmetry.surge"), -0.5));
   EXPECT_FALSE(MayBe(ParseFreeEntry("thrust_dead_zone"), -0.5));
   EXPECT_TRUE(MayBe(ParseFreeEntry("linear_damping.sway.yaw"), -0.5));
+}
+
+TEST(FreeEntry, OfABodyHasABound) {
+  EXPECT_EQ(LowerBoundOf(ParseFreeEntry("linear_damping.sway")), 0.0);
+  EXPECT_EQ(LowerBoundOf(ParseFreeEntry("thruster_lag")), 0.0);
+  EXPECT_EQ(LowerBoundOf(ParseFreeEntry("damping_asymmetry.surge")), -1.0);
+  EXPECT_EQ(LowerBoundOf(ParseFreeEntry("linear_damping.sway.yaw")), -INFINITY);
 }
 
 TEST(FreeEntry, IsRefusedByItsName) {
