@@ -90,6 +90,9 @@ std::string Meaning(const FreeEntry& entry) {
                        entry.row == Dof::kSurge ? "north (below 0 south)" : "east (below 0 west)",
                        entry.actuator);
   }
+  if (entry.kind == Kind::kFinRateLimit) {
+    return fmt::format("Fin {} turns to its command no faster than this rate", entry.actuator);
+  }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
                        Name(entry.column),
@@ -208,7 +211,7 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
       if (std::ranges::count(steps, step) == 0) steps.push_back(step);  // once of north and east
     }
     if (IsEffect(cause.entry)) steps.emplace_back(cause.entry.effect->info().advice);
-    if (cause.entry.kind == Kind::kFinLag) {
+    if (cause.entry.kind == Kind::kFinLag || cause.entry.kind == Kind::kFinRateLimit) {
       steps.push_back(
           fmt::format("Log the angle that fin {} has and use it in place of the command.",
                       cause.entry.actuator));

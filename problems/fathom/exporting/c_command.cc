@@ -222,6 +222,40 @@ std::string ForceOfFin(const ExportModel& model,
       RaceOf(model, fin, k, target));
 }
 
+std::string Turn(const std::string& name) {
+  return fmt::format(
+      "/* From *angle to an order at a rate, over h [s]: the mean, *angle at the end. */\n"
+      "static inline double {0}_turn(double order, double rate, double h, double *angle) {{\n"
+      "  const double begin = *angle, way = order - begin, needed = fabs(way) / rate;\n"
+      "  if (needed > h) {{\n"
+      "    *angle = begin + copysign(rate * h, way);\n"
+      "    return 0.5 * (begin + *angle);\n"
+      "  }}\n"
+      "  *angle = order;\n"
+      "  return order - 0.5 * way * needed / h;\n"
+      "}}\n"
+      "\n",
+      name);
+}
+
+// The mean angle of fin k, and where it then is.
+std::string MeanAngleOf(const ExportModel& model,
+                        const Fin& fin,
+                        std::size_t k,
+                        const std::string& name) {
+  const auto follows = [&](const char* how, const FreeEntry& by) {
+    return fmt::format("  mean[{0}] = {1}_{2}(order[{0}], {3}, h, &angle[{0}]);\n",
+                       k,
+                       name,
+                       how,
+                       MacroOf(model, by, name));
+  };
+  const FreeEntry lag = FinLagEntry(fin.name), rate = FinRateLimitEntry(fin.name);
+  if (HasNumber(model, lag)) return follows("lag", lag);
+  if (HasNumber(model, rate)) return follows("turn", rate);
+  return fmt::format("  mean[{0}] = angle[{0}] = order[{0}];\n", k);
+}
+
 }  // namespace
 
 CCommand CommandInC(const ExportModel& model, const ExportTarget& target) {
@@ -252,10 +286,14 @@ CCommand CommandInC(const ExportModel& model, const ExportTarget& target) {
 
 std::string CFinAngles(const ExportModel& model, const ExportTarget& target) {
   const std::vector<Fin> fins = FinsOf(model, target);
-  const auto lags = [&](const Fin& fin) { return HasNumber(model, FinLagEntry(fin.name)); };
-  if (std::ranges::none_of(fins, lags)) return "";
-  std::string text = fmt::format(
-      "/* The mean angles over the next h [s] of fins that lag behind an order that is held so "
+  const auto turns = [&](const Fin& fin) { return HasNumber(model, FinRateLimitEntry(fin.name)); };
+  const auto follows = [&](const Fin& fin) {
+    return turns(fin) || HasNumber(model, FinLagEntry(fin.name));
+  };
+  if (std::ranges::none_of(fins, follows)) return "";
+  std::string text = std::ranges::any_of(fins, turns) ? Turn(target.name) : "";
+  text += fmt::format(
+      "/* The mean angles over the next h [s] of fins that follow an order that is held so "
       "long, for\n"
       " * {0}_command.fin; `angle` moves on to where they then are [rad]. */\n"
       "static inline void {0}_fin_angles(const double order[{1}], double h, double angle[{1}],\n"
@@ -263,11 +301,7 @@ std::string CFinAngles(const ExportModel& model, const ExportTarget& target) {
       target.name,
       fins.size());
   for (std::size_t k = 0; k < fins.size(); ++k) {
-    text += lags(fins[k]) ? fmt::format("  mean[{0}] = {1}_lag(order[{0}], {2}, h, &angle[{0}]);\n",
-                                        k,
-                                        target.name,
-                                        MacroOf(model, FinLagEntry(fins[k].name), target.name))
-                          : fmt::format("  mean[{0}] = angle[{0}] = order[{0}];\n", k);
+    text += MeanAngleOf(model, fins[k], k, target.name);
   }
   return text + "}\n\n";
 }

@@ -44,6 +44,7 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
+    case FreeEntry::Kind::kFinRateLimit:
     case FreeEntry::Kind::kEffect:
     case FreeEntry::Kind::kThrusterEffect:
     case FreeEntry::Kind::kCurrent:

@@ -31,5 +31,15 @@ TEST(CauseSentence, SaysAtWhichAngleAFinIsStuck) {
   EXPECT_THAT(text, HasSubstr("These data cannot tell it from fin_force.port."));
 }
 
+TEST(CauseSentence, SaysHowFastAFinTurns) {
+  const NamedEntry slow = {FinRateLimitEntry("port"), 0.15, 0.002, {}, 0.0};
+  const std::string text = CauseSentence(slow, "N");
+  EXPECT_THAT(text, StartsWith("Fin port turns to its command no faster than this rate: 0.15"));
+  EXPECT_THAT(text, HasSubstr("rad/s"));
+  CoupledDiagnosis diagnosis;
+  diagnosis.causes = {slow};
+  EXPECT_THAT(CoupledNextSteps(diagnosis).front(), HasSubstr("Log the angle that fin port has"));
+}
+
 }  // namespace
 }  // namespace fathom

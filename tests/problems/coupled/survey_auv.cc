@@ -6,6 +6,7 @@
 #include "fathom/coupled/ladder.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -82,6 +83,7 @@ Orders OrdersAt(SurveyRun run, double t, Draw* draw) {
 FreeEntry EntryOf(FinFault fault, const std::string& fin) {
   if (fault == FinFault::kDead) return FinForceEntry(fin);
   if (fault == FinFault::kSlow) return FinLagEntry(fin);
+  if (fault == FinFault::kLimited) return FinRateLimitEntry(fin);
   return fault == FinFault::kStuck ? FinStuckEntry(fin) : FinNeutralEntry(fin);
 }
 
@@ -163,7 +165,7 @@ CoupledData SurveyLog(
   PlainSimulator plain(auv.truth);
   plain.nu[0] = 1.0;
   std::array<double, 4> angles = {};
-  double slow = 0.0;  // the angle of a slow fin
+  double slow = 0.0, limited = 0.0;  // the angle of a slow fin, and of one of a limited rate
   plain.more = [&](const Vector6& nu) {
     Vector6 force = -nu[0] * (auv.truth.lift * nu);
     for (std::size_t k = 0; k < auv.fins.size(); ++k) {
@@ -172,6 +174,7 @@ CoupledData SurveyLog(
       if (k == auv.faulty && fault == FinFault::kDead) continue;
       if (k == auv.faulty && fault == FinFault::kStuck) angle = auv.stuck;
       if (k == auv.faulty && fault == FinFault::kSlow) angle = slow;
+      if (k == auv.faulty && fault == FinFault::kLimited) angle = limited;
       if (k == auv.faulty && fault == FinFault::kNeutral) angle -= kNeutralOfSurvey;
       force += ForceByAngles(fin, auv.truth.fin_force.at(fin.name), angle, nu);
     }
@@ -204,7 +207,9 @@ CoupledData SurveyLog(
           run == SurveyRun::kSteps ? t + std::round(10.0 * draw.Between(1.0, 5.0)) / 10.0 : t + 1.0;
     }
     for (int step = 0; step < 20; ++step) {
+      const double miss = angles[auv.faulty] - limited, most = 0.005 * kRateOfSurvey;
       slow += 0.005 / kLagOfSurvey * (angles[auv.faulty] - slow);
+      limited += std::clamp(miss, -most, most);
       plain.Advance(tau, 0.005, 0.005);
     }
   }
@@ -253,8 +258,13 @@ SurveyNaming NameFault(unsigned seed, FinFault fault) {
   for (const NamedEntry& named : ladder.named) {
     const bool is_fault =
         fault != FinFault::kNone && named.entry == EntryOf(fault, auv.fins[auv.faulty].name);
-    result.is_right = result.is_right || is_fault;
-    if (!is_fault) ++result.num_false;
+    if (is_fault) {
+      result.is_right = true;
+      result.value = named.value;
+      result.std = named.std;
+    } else {
+      ++result.num_false;
+    }
     result.named.push_back(NameOf(named.entry));
     for (const FreeEntry& other : named.not_told_apart) {
       result.not_told_apart.push_back(NameOf(other));

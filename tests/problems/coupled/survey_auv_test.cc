@@ -41,6 +41,14 @@ TEST(SurveyAuv, HasAFinThatIsNotStraightAndIsNamed) { ExpectNamedAlone(FinFault:
 
 TEST(SurveyAuv, HasASlowFinThatIsNamed) { ExpectNamedAlone(FinFault::kSlow); }
 
+TEST(SurveyAuv, HasAFinOfALimitedRateThatIsNamed) {
+  const SurveyNaming naming = NameFault(4, FinFault::kLimited);
+  EXPECT_TRUE(naming.is_right) << ::testing::PrintToString(naming.named);
+  EXPECT_EQ(naming.num_false, 0) << ::testing::PrintToString(naming.named);
+  EXPECT_NEAR(naming.value, kRateOfSurvey, 3.0 * naming.std);
+  EXPECT_LT(naming.std, 0.1 * kRateOfSurvey);
+}
+
 TEST(SurveyAuv, ThatIsSoundHasNoFault) {
   EXPECT_THAT(NameFault(4, FinFault::kNone).named, IsEmpty());
 }

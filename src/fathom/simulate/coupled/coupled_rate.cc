@@ -280,6 +280,7 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         force = drive.tau_by_entry[k] + ForceByAngles(k, nu, drive);
         break;
       case FreeEntry::Kind::kFinLag:
+      case FreeEntry::Kind::kFinRateLimit:
         force = ForceByAngles(k, nu, drive);
         break;
       case FreeEntry::Kind::kEffect:
