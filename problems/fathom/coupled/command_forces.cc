@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -87,7 +88,8 @@ FinLoad LoadOf(const CoupledCommand& command,
                            : angles.At(place, *at, t - command.time[*at]) -
                                  ValueOr(0.0, model.fin_neutral, fin.name);
   const double race = ValueOr(0.0, model.fin_race, fin.name);
-  return FinLoadAt(fin.arms, nu, angle, race * RaceThrust(command, fin, *at, nu));
+  const double stall = ValueOr(std::numeric_limits<double>::infinity(), model.fin_stall, fin.name);
+  return FinLoadAt(fin.arms, nu, angle, race * RaceThrust(command, fin, *at, nu), stall);
 }
 
 Vector6 ForceOf(const CoupledCommand& command,

@@ -111,8 +111,8 @@ struct Suspect {
 };
 
 // What may be off with each: the gain of a thruster; of a fin of a known force that force, its
-// neutral angle, or that it is stuck; how late they act and how fast a fin turns, at some values
-// that are tried.
+// neutral angle, or that it is stuck; how late they act, how fast a fin turns and where it
+// stalls, at some values that are tried.
 std::vector<Suspect> SuspectsOf(const EntrySearchOptions& options) {
   const CoupledModel& held = options.fit.held;
   std::vector<Suspect> suspects;
@@ -123,6 +123,7 @@ std::vector<Suspect> SuspectsOf(const EntrySearchOptions& options) {
   for (const StructureFin& fin : options.fins) {
     late.push_back(FinLagEntry(fin.name));
     limits.push_back(FinRateLimitEntry(fin.name));
+    limits.push_back(FinStallEntry(fin.name));
     if (!fin.is_force_known) continue;
     suspects.push_back({FinForceEntry(fin.name), held});
     suspects.push_back({FinNeutralEntry(fin.name), held});

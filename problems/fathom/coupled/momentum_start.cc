@@ -83,6 +83,7 @@ Vector6 RateOf(const FreeEntry& entry,
     case Kind::kFinStuck:
     case Kind::kFinLag:
     case Kind::kFinRateLimit:
+    case Kind::kFinStall:
       break;
   }
   return force;
@@ -305,8 +306,10 @@ double LeastEffect(const FreeEntry& entry, const Sizes& sizes) {
 
 }  // namespace
 
-std::span<const double> LimitsTried(const FreeEntry& /*entry*/) {
+std::span<const double> LimitsTried(const FreeEntry& entry) {
   static constexpr std::array<double, 9> kRates = {0.03, 0.05, 0.08, 0.12, 0.2, 0.3, 0.5, 0.8, 1.5};
+  static constexpr std::array<double, 7> kStalls = {0.06, 0.09, 0.13, 0.18, 0.25, 0.35, 0.5};
+  if (entry.kind == Kind::kFinStall) return kStalls;
   return kRates;
 }
 

@@ -32,7 +32,8 @@ double MomentumMisfit(std::span<const CoupledData> logs,
                       const MotionStructure& structure,
                       const CoupledModel& held);
 
-// Values of a bound that (6) is tried with: of a fin's rate [rad/s].
+// Values of a bound that (6) is tried with: of a fin's rate [rad/s], or of the angle at which it
+// stalls [rad].
 std::span<const double> LimitsTried(const FreeEntry& entry);
 
 }  // namespace fathom

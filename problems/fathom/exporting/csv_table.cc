@@ -58,6 +58,7 @@ std::string FrameOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
     case FreeEntry::Kind::kFinRateLimit:
+    case FreeEntry::Kind::kFinStall:
       return "fin";
     default:
       return "body: FRD about its origin";

@@ -327,6 +327,7 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
     case FreeEntry::Kind::kFinRateLimit:
+    case FreeEntry::Kind::kFinStall:
       return ExportFeature::kFins;
     case FreeEntry::Kind::kEffect:  // ExportModel::effects
     case FreeEntry::Kind::kThrusterEffect:

@@ -41,5 +41,14 @@ TEST(CauseSentence, SaysHowFastAFinTurns) {
   EXPECT_THAT(CoupledNextSteps(diagnosis).front(), HasSubstr("Log the angle that fin port has"));
 }
 
+TEST(CauseSentence, SaysWhereAFinStalls) {
+  const NamedEntry stalls = {FinStallEntry("port"), 0.2, 0.002, {}, 0.0};
+  EXPECT_THAT(CauseSentence(stalls, "N"),
+              StartsWith("The lift of fin port grows no more from this angle of attack on: 0.2"));
+  CoupledDiagnosis diagnosis;
+  diagnosis.causes = {stalls};
+  EXPECT_THAT(CoupledNextSteps(diagnosis).front(), StartsWith("Turn fin port no further"));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -42,12 +42,24 @@ Fin FinAt(const char* name, double y, double z) {
   return fin;
 }
 
-// The law of docs/fins.md by angles and a turned normal.
-Vector6 ForceByAngles(const Fin& fin, double f, double angle, const Vector6& nu) {
+// docs/fins.md (3) as the integral of its slope: 1, then down to 0 over a fifth of the limit.
+double Stalled(double sine, double limit) {
+  const double in_bend = std::clamp(std::abs(sine) - 0.9 * limit, 0.0, 0.2 * limit);
+  const double size =
+      std::min(std::abs(sine), 0.9 * limit) + in_bend * (1.0 - in_bend / (0.4 * limit));
+  return std::copysign(size, sine);
+}
+
+// The law of docs/fins.md by angles and a turned normal; `limit`: the sine of the angle of attack
+// at which the fin stalls.
+Vector6 ForceByAngles(
+    const Fin& fin, double f, double angle, std::optional<double> limit, const Vector6& nu) {
   const Eigen::Vector3d v = nu.head<3>() + Eigen::Vector3d(nu.tail<3>()).cross(fin.position);
   const Eigen::Vector3d across = fin.axis.cross(Eigen::Vector3d::UnitX());
   const double w = v.dot(across);
-  const double load = f * (v.x() * v.x() + w * w) * std::sin(angle - std::atan2(w, v.x()));
+  double sine = std::sin(angle - std::atan2(w, v.x()));
+  if (limit) sine = Stalled(sine, *limit);
+  const double load = f * (v.x() * v.x() + w * w) * sine;
   const Eigen::Vector3d force = load * (Eigen::AngleAxisd(angle, fin.axis) * across);
   Vector6 all;
   all << force, fin.position.cross(force);
@@ -83,6 +95,7 @@ Orders OrdersAt(SurveyRun run, double t, Draw* draw) {
 FreeEntry EntryOf(FinFault fault, const std::string& fin) {
   if (fault == FinFault::kDead) return FinForceEntry(fin);
   if (fault == FinFault::kSlow) return FinLagEntry(fin);
+  if (fault == FinFault::kStalled) return FinStallEntry(fin);
   if (fault == FinFault::kLimited) return FinRateLimitEntry(fin);
   return fault == FinFault::kStuck ? FinStuckEntry(fin) : FinNeutralEntry(fin);
 }
@@ -176,7 +189,9 @@ CoupledData SurveyLog(
       if (k == auv.faulty && fault == FinFault::kSlow) angle = slow;
       if (k == auv.faulty && fault == FinFault::kLimited) angle = limited;
       if (k == auv.faulty && fault == FinFault::kNeutral) angle -= kNeutralOfSurvey;
-      force += ForceByAngles(fin, auv.truth.fin_force.at(fin.name), angle, nu);
+      std::optional<double> limit;
+      if (k == auv.faulty && fault == FinFault::kStalled) limit = std::sin(kStallOfSurvey);
+      force += ForceByAngles(fin, auv.truth.fin_force.at(fin.name), angle, limit, nu);
     }
     return force;
   };

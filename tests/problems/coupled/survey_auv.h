@@ -15,7 +15,7 @@
 namespace fathom {
 
 // What is wrong with one fin of a survey AUV.
-enum class FinFault { kNone, kDead, kStuck, kNeutral, kSlow, kLimited };
+enum class FinFault { kNone, kDead, kStuck, kNeutral, kSlow, kLimited, kStalled };
 
 // A survey AUV of six DOFs with four fins in a cross at its stern, drawn: its numbers, which fin a
 // fault is of, and how far that is stuck off.
@@ -35,6 +35,9 @@ inline constexpr double kLagOfSurvey = 0.5;
 
 // The rate of a fin that is limited [rad/s].
 inline constexpr double kRateOfSurvey = 0.15;
+
+// The angle of attack at which a fin stalls early [rad].
+inline constexpr double kStallOfSurvey = 0.12;
 
 // How the fins turn: steps by chance for a fit, or a zigzag, a circle and steps in depth.
 enum class SurveyRun { kSteps, kManoeuvres };

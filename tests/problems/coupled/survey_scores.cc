@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The figures of docs/fins.md on drawn survey AUVs: survey_scores
-// fits|none|dead|stuck|neutral|slow|limited 30.
+// fits|none|dead|stuck|neutral|slow|limited|stalled 30.
 
 #include <algorithm>
 #include <cstdio>
@@ -75,7 +75,8 @@ int main(int argc, char** argv) {
                                     {FinFault::kStuck, "stuck"},
                                     {FinFault::kNeutral, "neutral"},
                                     {FinFault::kSlow, "slow"},
-                                    {FinFault::kLimited, "limited"}}) {
+                                    {FinFault::kLimited, "limited"},
+                                    {FinFault::kStalled, "stalled"}}) {
     if (what == name) PrintNamings(fault, name, count);
   }
   return 0;

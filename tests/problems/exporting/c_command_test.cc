@@ -90,10 +90,9 @@ TEST(CCommand, GivesTheForcesOfARudderInTheRaceOfAShaft) {
 }
 
 // 0.4 s of each of 20 commands, ahead and astern, by steps of both that are the same.
-TEST(CCommand, RunsAsOurOwnSimulation) {
+void ExpectRunsAsOurOwn(const FittedCoupledModel& fitted) {
   constexpr double kStep = 0.004;
   constexpr std::size_t kNumSteps = 2000, kStepsOfACommand = 100;
-  const FittedCoupledModel fitted = Ship();
   const ExportTarget target = Target();
   const std::vector<DrawnState> drawn =
       DrawnStates(fitted.model, static_cast<int>(kNumSteps / kStepsOfACommand), false);
@@ -149,6 +148,14 @@ TEST(CCommand, RunsAsOurOwnSimulation) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(numbers[6 + i], end.position[static_cast<int>(i)], 1e-10);
   }
+}
+
+TEST(CCommand, RunsAsOurOwnSimulation) { ExpectRunsAsOurOwn(Ship()); }
+
+TEST(CCommand, RunsAsOurOwnSimulationOfFinsThatStall) {
+  FittedCoupledModel ship = Ship();
+  ship.model.fin_stall = {{"rudder", 0.2}, {"askew", 0.1}};
+  ExpectRunsAsOurOwn(ship);
 }
 
 // From 0 to an order of 0.3 rad with T = 0.5 s over 0.2 s: 0.3 (1 - exp(-0.4)) at the end, and in

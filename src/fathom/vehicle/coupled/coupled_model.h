@@ -71,6 +71,10 @@ struct CoupledModel {
   // at once.
   std::map<std::string, double> fin_rate_limit = {};
 
+  // The angle of attack from which a fin's lift grows no more [rad], above 0 and below pi/2;
+  // absent: it grows on.
+  std::map<std::string, double> fin_stall = {};
+
   // Effects along one DOF, coupled_effects.h: the number of each by its name and Index(Dof), 0
   // where it is not there. Those of the thrust are of the forces that are commanded along the DOF.
   std::map<std::string, Vector6> effects = {};

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct NamedKind {
   std::string_view name;
 };
 
-constexpr std::array<NamedKind, 17> kNamedKinds = {{
+constexpr std::array<NamedKind, 18> kNamedKinds = {{
     {EntryKind::kInertia, "inertia"},
     {EntryKind::kLinearDamping, "linear_damping"},
     {EntryKind::kQuadraticDamping, "quadratic_damping"},
@@ -46,6 +47,7 @@ constexpr std::array<NamedKind, 17> kNamedKinds = {{
     {EntryKind::kFinStuck, "fin_stuck"},
     {EntryKind::kFinLag, "fin_lag"},
     {EntryKind::kFinRateLimit, "fin_rate_limit"},
+    {EntryKind::kFinStall, "fin_stall"},
 }};
 
 std::string_view NameOfKind(EntryKind kind) {
@@ -150,6 +152,8 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->fin_lag.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinRateLimit:
       return &model->fin_rate_limit.try_emplace(entry.actuator, kInfinite).first->second;
+    case EntryKind::kFinStall:
+      return &model->fin_stall.try_emplace(entry.actuator, kInfinite).first->second;
     case EntryKind::kEffect: {
       const std::string name(entry.effect->info().name);
       return &model->effects.try_emplace(name, Vector6::Zero()).first->second[Index(entry.row)];
@@ -207,6 +211,9 @@ FreeEntry CurrentEntry(Dof axis, const std::string& log) {
 FreeEntry FinRateLimitEntry(const std::string& fin) {
   return {EntryKind::kFinRateLimit, Dof::kSurge, Dof::kSurge, fin};
 }
+FreeEntry FinStallEntry(const std::string& fin) {
+  return {EntryKind::kFinStall, Dof::kSurge, Dof::kSurge, fin};
+}
 FreeEntry EffectEntry(const Effect& effect, Dof row) {
   return {EntryKind::kEffect, row, row, {}, &effect};
 }
@@ -218,8 +225,9 @@ bool IsOfActuator(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
          entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
          entry.kind == EntryKind::kFinStuck || entry.kind == EntryKind::kFinLag ||
-         entry.kind == EntryKind::kFinRateLimit || entry.kind == EntryKind::kTimeOffset ||
-         entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kThrusterEffect || IsOfRun(entry);
+         entry.kind == EntryKind::kFinRateLimit || entry.kind == EntryKind::kFinStall ||
+         entry.kind == EntryKind::kTimeOffset || entry.kind == EntryKind::kThrusterLag ||
+         entry.kind == EntryKind::kThrusterEffect || IsOfRun(entry);
 }
 
 bool IsOfRun(const FreeEntry& entry) { return entry.kind == EntryKind::kCurrent; }
@@ -228,7 +236,9 @@ bool IsLag(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kFinLag;
 }
 
-bool IsLimit(const FreeEntry& entry) { return entry.kind == EntryKind::kFinRateLimit; }
+bool IsLimit(const FreeEntry& entry) {
+  return entry.kind == EntryKind::kFinRateLimit || entry.kind == EntryKind::kFinStall;
+}
 
 bool IsEffect(const FreeEntry& entry) { return entry.effect != nullptr; }
 
@@ -238,6 +248,7 @@ bool IsPositive(const FreeEntry& entry) {
 }
 
 bool MayBe(const FreeEntry& entry, double value) {
+  if (entry.kind == EntryKind::kFinStall) return value > 0.0 && value < 0.5 * std::numbers::pi;
   if (IsLimit(entry)) return value > 0.0;
   if (!IsEffect(entry)) return true;
   const EffectParameter& parameter = entry.effect->info().parameters.front();
@@ -291,8 +302,9 @@ FreeEntry ParseFreeEntry(std::string_view name) {
     RefuseEntry(name,
                 "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
                 "offset, thrust_gain, thrust_angle, time_offset, thruster_lag, lift, fin_force, "
-                "fin_race, fin_neutral, fin_stuck, fin_lag, fin_rate_limit, damping_asymmetry, "
-                "cubic_damping, coulomb_friction, thrust_dead_zone, thrust_asymmetry or current, a dot, and "
+                "fin_race, fin_neutral, fin_stuck, fin_lag, fin_rate_limit, fin_stall, "
+                "damping_asymmetry, cubic_damping, coulomb_friction, thrust_dead_zone, "
+                "thrust_asymmetry or current, a dot, and "
                 "what it belongs to");
   }
   const EntryKind kind = found->kind;
@@ -352,6 +364,7 @@ std::string SiUnitOf(const FreeEntry& entry) {
     case EntryKind::kThrustAngle:
     case EntryKind::kFinNeutral:
     case EntryKind::kFinStuck:
+    case EntryKind::kFinStall:
       return "rad";
     case EntryKind::kTimeOffset:
     case EntryKind::kThrusterLag:
@@ -377,8 +390,8 @@ std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
         quantity, entry.row, force_unit == "N" ? std::string(ForceUnit(entry.row)) : force_unit);
   }
   const std::string unit = SiUnitOf(entry);
-  const bool has_force = unit != "1" && unit != "rad" && unit != "s" && unit != "rad/s" && unit != "m/s" &&
-                         entry.kind != EntryKind::kFinRace;
+  const bool has_force = unit != "1" && unit != "rad" && unit != "s" && unit != "rad/s" &&
+                         unit != "m/s" && entry.kind != EntryKind::kFinRace;
   if (force_unit == "N" || !has_force) return unit;
   return fmt::format("{} {}/N", unit, force_unit);
 }
@@ -428,6 +441,7 @@ std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
     for (const Dof axis : {Dof::kSurge, Dof::kSway}) add(CurrentEntry(axis, log), 0.0);
   }
   for (const auto& [fin, rate] : model.fin_rate_limit) add(FinRateLimitEntry(fin), kInfinite);
+  for (const auto& [fin, angle] : model.fin_stall) add(FinStallEntry(fin), kInfinite);
   return entries;
 }
 

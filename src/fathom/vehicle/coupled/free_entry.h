@@ -34,6 +34,7 @@ namespace fathom {
 //   fin_stuck.rudder              the angle that it has whatever is commanded
 //   fin_lag.rudder                time constant with which its angle follows the command
 //   fin_rate_limit.rudder         how fast its angle follows the command at most
+//   fin_stall.rudder              the angle of attack from which its lift grows no more
 //   coulomb_friction.surge        an effect along a DOF, coupled_effects.h
 //   thrust_dead_zone              one of the thrust of every thruster
 //   current.north.dive_3          along x of the world, in the log `dive_3`; current.east.dive_3
@@ -56,6 +57,7 @@ struct FreeEntry {
     kFinStuck,
     kFinLag,
     kFinRateLimit,
+    kFinStall,
     kEffect,
     kThrusterEffect,
     kCurrent,  // row: surge for north, sway for east
@@ -89,6 +91,7 @@ FreeEntry FinStuckEntry(const std::string& fin);
 FreeEntry FinLagEntry(const std::string& fin);
 FreeEntry CurrentEntry(Dof axis, const std::string& log);
 FreeEntry FinRateLimitEntry(const std::string& fin);
+FreeEntry FinStallEntry(const std::string& fin);
 FreeEntry EffectEntry(const Effect& effect, Dof row);
 FreeEntry ThrusterEffectEntry(const Effect& effect);
 
@@ -102,7 +105,8 @@ bool IsLag(const FreeEntry& entry);
 // Whether it holds in one log alone.
 bool IsOfRun(const FreeEntry& entry);
 
-// Whether it is a bound, above 0, which is infinite where it is not there: of a fin's rate.
+// Whether it is a bound, above 0, which is infinite where it is not there: of a fin's rate or of
+// its angle of attack.
 bool IsLimit(const FreeEntry& entry);
 
 // Whether it is above 0 in every model: a time constant, a bound, or an effect that takes energy or
@@ -112,7 +116,8 @@ bool IsPositive(const FreeEntry& entry);
 // Whether it is an effect of the catalogue.
 bool IsEffect(const FreeEntry& entry);
 
-// Whether a model of a body may hold it at this value: a friction is no drive, a bound is above 0.
+// Whether a model of a body may hold it at this value: a friction is no drive, a bound is above 0,
+// and a fin has stalled at a right angle.
 bool MayBe(const FreeEntry& entry, double value);
 
 // Whether it says how late a command acts: an offset or a lag.

@@ -163,6 +163,13 @@ void RequireLimits(const YamlMap& map, const CoupledModel& model) {
     map.Fail("fin_rate_limit",
              fmt::format("of {} is {} rad/s, expected a rate above 0 rad/s.", fin, rate));
   }
+  for (const auto& [fin, angle] : model.fin_stall) {
+    if (MayBe(FinStallEntry(fin), angle)) continue;
+    map.Fail("fin_stall",
+             fmt::format("of {} is {} rad, expected an angle of attack above 0 and below pi/2 rad.",
+                         fin,
+                         angle));
+  }
   if (const auto fin = FinWithLagAndRateLimit(model)) {
     map.Fail("fin_rate_limit",
              fmt::format("of {} stands beside its 'fin_lag', expected one of them.", *fin));
@@ -239,6 +246,7 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   model.fin_stuck = ByName(map, "fin_stuck", fins, "fin");
   model.fin_lag = ByName(map, "fin_lag", fins, "fin");
   model.fin_rate_limit = ByName(map, "fin_rate_limit", fins, "fin");
+  model.fin_stall = ByName(map, "fin_stall", fins, "fin");
   RequireLags(map, model);
   RequireLimits(map, model);
   ReadEffects(map, &model);

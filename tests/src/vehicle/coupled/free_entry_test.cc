@@ -35,6 +35,7 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "fin_stuck.rudder",
                                  "fin_lag.rudder",
                                  "fin_rate_limit.rudder",
+                                 "fin_stall.rudder",
                                  "time_offset",
                                  "thruster_lag",
                                  "damping_asymmetry.surge",
@@ -99,6 +100,7 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_force.rudder")), "kg/m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_neutral.rudder"), "A"), "rad");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_stuck.rudder"), "A"), "rad");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_stall.rudder"), "A"), "rad");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_rate_limit.rudder"), "A"), "rad/s");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.sway.yaw")), "kg m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.yaw")), "kg m^2");

@@ -129,6 +129,15 @@ TEST(CoupledModelFile, HoldsTheLimitedRateOfAFin) {
       "be.");
 }
 
+TEST(CoupledModelFile, HoldsTheStallOfAFin) {
+  FittedCoupledModel boat = Boat();
+  boat.model.fin_stall["rudder"] = 0.3;
+  const std::string text = FormatCoupledModel(boat);
+  EXPECT_EQ(ParseCoupledModel("m.json", text).model.fin_stall, boat.model.fin_stall);
+  EXPECT_EQ(MessageOf(Replaced(text, "\"fin_stall.rudder\": 0.3", "\"fin_stall.rudder\": 1.6")),
+            "m.json: 'held.fin_stall.rudder' is 1.6, which fin_stall.rudder cannot be.");
+}
+
 TEST(CoupledModelFile, KnowsOtherFiles) {
   EXPECT_FALSE(IsCoupledModel("{\"schema\": \"fathom-model-1\"}"));
   EXPECT_FALSE(IsCoupledModel("no JSON"));

@@ -127,6 +127,16 @@ TEST(CoupledYaml, ReadsTheLimitedRateOfAFin) {
                         "expected one of them."));
 }
 
+TEST(CoupledYaml, ReadsTheAngleOfAttackAtWhichAFinStalls) {
+  const std::string hull = std::string(kHull) + kModel;
+  const CoupledModel model =
+      *ParseVehicleFile("v.yaml", hull + "  fin_stall: {rudder: 0.3}\n").coupled;
+  EXPECT_EQ(model.fin_stall.at("rudder"), 0.3);
+  EXPECT_THAT(ErrorOf(hull + "  fin_stall: {rudder: 17}\n"),
+              HasSubstr("key 'coupled_model.fin_stall' of rudder is 17 rad, expected an angle of "
+                        "attack above 0 and below pi/2 rad."));
+}
+
 TEST(CoupledYaml, RefusesAMatrixOfAnotherShape) {
   const std::string hull = kHull;
   EXPECT_THAT(ErrorOf(hull + "coupled_model:\n  inertia: [1, 2, 3]\n"),
