@@ -34,6 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (again.model.fin_neutral != model.model.fin_neutral) std::abort();
     if (again.model.fin_stuck != model.model.fin_stuck) std::abort();
     if (again.model.fin_lag != model.model.fin_lag) std::abort();
+    if (again.model.fin_rate_limit != model.model.fin_rate_limit) std::abort();
+    if (again.model.fin_stall != model.model.fin_stall) std::abort();
   } catch (const fathom::InputError&) {
   }
   return 0;

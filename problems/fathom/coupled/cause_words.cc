@@ -90,6 +90,13 @@ std::string Meaning(const FreeEntry& entry) {
                        entry.row == Dof::kSurge ? "north (below 0 south)" : "east (below 0 west)",
                        entry.actuator);
   }
+  if (entry.kind == Kind::kFinRateLimit) {
+    return fmt::format("Fin {} turns to its command no faster than this rate", entry.actuator);
+  }
+  if (entry.kind == Kind::kFinStall) {
+    return fmt::format("The lift of fin {} grows no more from this angle of attack on",
+                       entry.actuator);
+  }
   if (entry.kind == Kind::kInertia) {
     return fmt::format("An acceleration in {} makes {}, and one in {} {}",
                        Name(entry.column),
@@ -208,7 +215,7 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
       if (std::ranges::count(steps, step) == 0) steps.push_back(step);  // once of north and east
     }
     if (IsEffect(cause.entry)) steps.emplace_back(cause.entry.effect->info().advice);
-    if (cause.entry.kind == Kind::kFinLag) {
+    if (cause.entry.kind == Kind::kFinLag || cause.entry.kind == Kind::kFinRateLimit) {
       steps.push_back(
           fmt::format("Log the angle that fin {} has and use it in place of the command.",
                       cause.entry.actuator));
@@ -217,6 +224,13 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
       steps.push_back(
           fmt::format("Look at fin {}: the fin itself, its servo, its linkage, and its area and "
                       "axis in the vehicle file.",
+                      cause.entry.actuator));
+    }
+    if (cause.entry.kind == Kind::kFinStall) {
+      steps.push_back(
+          fmt::format("Turn fin {} no further against the water than this angle: beyond, it steers "
+                      "no harder and brakes. If that is early for its shape, look at its leading "
+                      "edge.",
                       cause.entry.actuator));
     }
     if (cause.entry.kind == Kind::kFinNeutral) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -70,29 +71,43 @@ double FinForceIn(const CoupledModel& model, const CommandedFin& fin) {
   return ValueOr(0.0, model.fin_force, fin.name);
 }
 
+// Of a fin by its place in the command.
 FinLoad LoadOf(const CoupledCommand& command,
-               const CommandedFin& fin,
+               const FinAngles& angles,
+               std::size_t place,
                double t,
                const Vector6& nu,
                const CoupledModel& model) {
-  const auto at = RowAt(command, t - model.time_offset - ValueOr(0.0, model.fin_lag, fin.name));
+  const CommandedFin& fin = command.fins[place];
+  t = t - model.time_offset - ValueOr(0.0, model.fin_lag, fin.name);
+  const auto at = RowAt(command, t);
   if (!at) return {};
   const auto stuck = model.fin_stuck.find(fin.name);
   const double angle = stuck != model.fin_stuck.end()
                            ? stuck->second
-                           : fin.angle[*at] - ValueOr(0.0, model.fin_neutral, fin.name);
+                           : angles.At(place, *at, t - command.time[*at]) -
+                                 ValueOr(0.0, model.fin_neutral, fin.name);
   const double race = ValueOr(0.0, model.fin_race, fin.name);
-  return FinLoadAt(fin.arms, nu, angle, race * RaceThrust(command, fin, *at, nu));
+  const double stall = ValueOr(std::numeric_limits<double>::infinity(), model.fin_stall, fin.name);
+  return FinLoadAt(fin.arms, nu, angle, race * RaceThrust(command, fin, *at, nu), stall);
 }
 
 Vector6 ForceOf(const CoupledCommand& command,
-                const CommandedFin& fin,
+                const FinAngles& angles,
+                std::size_t place,
                 double t,
                 const Vector6& nu,
                 const CoupledModel& model) {
-  const double size = FinForceIn(model, fin);
+  const double size = FinForceIn(model, command.fins[place]);
   if (size == 0.0) return Vector6::Zero();
-  return size * LoadOf(command, fin, t, nu, model).Force();
+  return size * LoadOf(command, angles, place, t, nu, model).Force();
+}
+
+// The fin that an entry is of; none where it is of no fin of the command.
+std::optional<std::size_t> FinOf(const FreeEntry& entry, const CoupledCommand& command) {
+  const auto fin = std::ranges::find(command.fins, entry.actuator, &CommandedFin::name);
+  if (fin == command.fins.end()) return std::nullopt;
+  return static_cast<std::size_t>(fin - command.fins.begin());
 }
 
 }  // namespace
@@ -144,29 +159,34 @@ Vector6 ShaftForcesBy(const FreeEntry& entry,
 }
 
 Vector6 FinForcesAt(const CoupledCommand& command,
+                    const FinAngles& angles,
                     double t,
                     const Vector6& nu,
                     const CoupledModel& model) {
   Vector6 force = Vector6::Zero();
-  for (const CommandedFin& fin : command.fins) force += ForceOf(command, fin, t, nu, model);
+  for (std::size_t k = 0; k < command.fins.size(); ++k) {
+    force += ForceOf(command, angles, k, t, nu, model);
+  }
   return force;
 }
 
 Vector6 FinForcesBy(const FreeEntry& entry,
                     const CoupledCommand& command,
+                    const FinAngles& angles,
                     double t,
                     const Vector6& nu,
                     const CoupledModel& model) {
-  const auto fin = std::ranges::find(command.fins, entry.actuator, &CommandedFin::name);
-  if (fin == command.fins.end()) return Vector6::Zero();
-  const FinLoad load = LoadOf(command, *fin, t, nu, model);
+  const auto place = FinOf(entry, command);
+  if (!place) return Vector6::Zero();
+  const CommandedFin& fin = command.fins[*place];
+  const FinLoad load = LoadOf(command, angles, *place, t, nu, model);
   switch (entry.kind) {
     case Kind::kFinForce:
       return load.Force();
     case Kind::kFinNeutral:
-      return -FinForceIn(model, *fin) * load.ForceByAngle();
+      return -FinForceIn(model, fin) * load.ForceByAngle();
     case Kind::kFinStuck:
-      return FinForceIn(model, *fin) * load.ForceByAngle();
+      return FinForceIn(model, fin) * load.ForceByAngle();
     default:
       return Vector6::Zero();
   }
@@ -174,13 +194,14 @@ Vector6 FinForcesBy(const FreeEntry& entry,
 
 Vector6 FinForcesLater(const FreeEntry& entry,
                        const CoupledCommand& command,
+                       const FinAngles& angles,
                        double t,
                        const Vector6& nu,
                        const CoupledModel& model) {
-  if (entry.kind == Kind::kTimeOffset) return FinForcesAt(command, t, nu, model);
-  const auto fin = std::ranges::find(command.fins, entry.actuator, &CommandedFin::name);
-  if (entry.kind != Kind::kFinLag || fin == command.fins.end()) return Vector6::Zero();
-  return ForceOf(command, *fin, t, nu, model);
+  if (entry.kind == Kind::kTimeOffset) return FinForcesAt(command, angles, t, nu, model);
+  const auto fin = FinOf(entry, command);
+  if (entry.kind != Kind::kFinLag || !fin) return Vector6::Zero();
+  return ForceOf(command, angles, *fin, t, nu, model);
 }
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/coupled/fin_angles.h"
 #include "fathom/simulate/coupled/coupled_inputs.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
@@ -38,20 +39,23 @@ Vector6 ShaftForcesBy(const FreeEntry& entry,
                       const Vector6& nu,
                       const CoupledModel& model);
 
-// Of the fins [N], [N m].
+// Of the fins [N], [N m], with their angles by the same command and model.
 Vector6 FinForcesAt(const CoupledCommand& command,
+                    const FinAngles& angles,
                     double t,
                     const Vector6& nu,
                     const CoupledModel& model);
 // By a force or an angle of a fin; 0 of other entries.
 Vector6 FinForcesBy(const FreeEntry& entry,
                     const CoupledCommand& command,
+                    const FinAngles& angles,
                     double t,
                     const Vector6& nu,
                     const CoupledModel& model);
 // Of the fins that an entry delays.
 Vector6 FinForcesLater(const FreeEntry& entry,
                        const CoupledCommand& command,
+                       const FinAngles& angles,
                        double t,
                        const Vector6& nu,
                        const CoupledModel& model);

@@ -108,6 +108,13 @@ MotionStructure WithEntries(MotionStructure structure,
     }
     if (std::ranges::count(structure.entries, entry) == 0) structure.entries.push_back(entry);
   }
+  for (const FreeEntry& entry : structure.entries) {
+    if (entry.kind != FreeEntry::Kind::kFinRateLimit) continue;
+    if (std::ranges::count(structure.entries, FinLagEntry(entry.actuator)) == 0) continue;
+    throw InputError(fmt::format("--free: holds both {} and {}, expected one of them.",
+                                 NameOf(FinLagEntry(entry.actuator)),
+                                 NameOf(entry)));
+  }
   return structure;
 }
 

@@ -184,6 +184,7 @@ double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
 
 double WithoutEffect(const FreeEntry& entry, const CoupledModel& held) {
   if (entry.kind == FreeEntry::Kind::kThrustGain) return 1.0;
+  if (IsLimit(entry)) return std::numeric_limits<double>::infinity();
   return entry.kind == FreeEntry::Kind::kFinForce ? ValueIn(held, entry) : 0.0;
 }
 
@@ -197,7 +198,9 @@ double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const Coupl
   const Eigen::VectorXd with = fit.covariance(given, at);
   const Eigen::MatrixXd of_given = fit.covariance(given, given);
   const double variance = fit.covariance(at, at) - with.dot(of_given.ldlt().solve(with));
-  return std::abs(ValueIn(fit.model, entry) - WithoutEffect(entry, held)) / std::sqrt(variance);
+  // 1 / limit is as many of its own standard deviations from 0 as the limit is of its.
+  const double without = IsLimit(entry) ? 0.0 : WithoutEffect(entry, held);
+  return std::abs(ValueIn(fit.model, entry) - without) / std::sqrt(variance);
 }
 
 EntrySearch SearchEntries(std::span<const CoupledData> logs,

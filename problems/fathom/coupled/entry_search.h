@@ -36,11 +36,11 @@ struct NamedEntry {
 // The standard deviation of an entry of a fit.
 double StdOf(const CoupledSummary& fit, const FreeEntry& entry);
 
-// What an entry is where it has no effect. `held`: the known forces of fins.
+// What an entry is where it has no effect; infinite of a bound. `held`: the known forces of fins.
 double WithoutEffect(const FreeEntry& entry, const CoupledModel& held);
 
-// How far an entry is from where it has no effect, in standard deviations. Infinite of a stuck fin:
-// no angle is without effect.
+// How far an entry is from where it has no effect, in standard deviations; of a bound, its inverse.
+// Infinite of a stuck fin: no angle is without effect.
 double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const CoupledModel& held);
 
 inline constexpr double kStillThere = 3.0;  // of these an entry that is named keeps

@@ -91,6 +91,18 @@ class Climb {
   UnseenErrors stands_;
 };
 
+// Whether (6) is linear near a value of it only, so that some are tried.
+bool IsTried(const FreeEntry& entry) { return IsLateness(entry) || IsLimit(entry); }
+
+// Whether both say how a fin follows its command, which (6) tells badly.
+bool AreAlike(const FreeEntry& a, const FreeEntry& b) {
+  using Kind = FreeEntry::Kind;
+  const auto is_of_servo = [](const FreeEntry& entry) {
+    return entry.kind == Kind::kFinLag || entry.kind == Kind::kFinRateLimit;
+  };
+  return is_of_servo(a) && is_of_servo(b) && a.actuator == b.actuator;
+}
+
 // A number that says how the thrusters and fins may be off.
 struct Suspect {
   FreeEntry entry;
@@ -99,16 +111,19 @@ struct Suspect {
 };
 
 // What may be off with each: the gain of a thruster; of a fin of a known force that force, its
-// neutral angle, or that it is stuck; and how late they act, at some times that are tried.
+// neutral angle, or that it is stuck; how late they act, how fast a fin turns and where it
+// stalls, at some values that are tried.
 std::vector<Suspect> SuspectsOf(const EntrySearchOptions& options) {
   const CoupledModel& held = options.fit.held;
   std::vector<Suspect> suspects;
   for (const std::string& thruster : options.thrusters) {
     suspects.push_back({ThrustGainEntry(thruster), held});
   }
-  std::vector<FreeEntry> late = {TimeOffsetEntry(), ThrusterLagEntry()};
+  std::vector<FreeEntry> limits, late = {TimeOffsetEntry(), ThrusterLagEntry()};
   for (const StructureFin& fin : options.fins) {
     late.push_back(FinLagEntry(fin.name));
+    limits.push_back(FinRateLimitEntry(fin.name));
+    limits.push_back(FinStallEntry(fin.name));
     if (!fin.is_force_known) continue;
     suspects.push_back({FinForceEntry(fin.name), held});
     suspects.push_back({FinNeutralEntry(fin.name), held});
@@ -119,6 +134,12 @@ std::vector<Suspect> SuspectsOf(const EntrySearchOptions& options) {
       if (time < 0.0 && IsLag(entry)) continue;
       suspects.push_back({entry, held});
       SetValue(entry, time, &suspects.back().held);
+    }
+  }
+  for (const FreeEntry& entry : limits) {
+    for (const double limit : LimitsTried(entry)) {
+      suspects.push_back({entry, held});
+      SetValue(entry, limit, &suspects.back().held);
     }
   }
   return suspects;
@@ -133,8 +154,8 @@ std::vector<Suspect> MostSuspect(const CoupledLogs& logs,
   std::vector<Suspect> nearer;
   for (Suspect& suspect : SuspectsOf(options)) {
     MotionStructure longer = structure;
-    // A time as tried, since a free one beside it fits (6) to anything.
-    if (!IsLateness(suspect.entry)) longer.entries.push_back(suspect.entry);
+    // A time or a bound as tried, since a free one beside it fits (6) to anything.
+    if (!IsTried(suspect.entry)) longer.entries.push_back(suspect.entry);
     suspect.misfit = MomentumMisfit(logs.data, longer, suspect.held);
     if (suspect.misfit < without - kMuchNearer) nearer.push_back(std::move(suspect));
   }
@@ -155,7 +176,8 @@ std::string RungOf(const FreeEntry& entry) {
 
 // Tries the suspects; the one that stands then, or none. To (6), whose pieces are coarse, a little
 // lateness may seem to be there: one that a fit finds to be none gives way to the next. Of several
-// as near all are fitted that say how late a command acts, since a fit tells them apart.
+// as near all are fitted that say how late a command acts or how fast a fin turns, since a fit
+// tells them apart; a lag and a limited rate of one fin both, however near.
 std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
                                       const MotionStructure& structure,
                                       const EntrySearchOptions& options,
@@ -169,13 +191,14 @@ std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
   std::optional<Tried> stands;
   bool thrust_is_prompt = false;
   for (const Suspect& suspect : MostSuspect(logs, structure, options)) {
-    if (stands && suspect.misfit >= stands->misfit + kMuchNearer) break;
-    const bool is_late = IsLateness(suspect.entry);
-    if (stands && !is_late) {
+    const bool is_as_near = !stands || suspect.misfit < stands->misfit + kMuchNearer;
+    if (!is_as_near && !AreAlike(suspect.entry, stands->entry)) continue;
+    const bool is_tried = IsTried(suspect.entry);
+    if (stands && !is_tried) {
       tried.push_back({suspect.entry, suspect.misfit});
       continue;
     }
-    const bool is_of_thrust = is_late && suspect.entry.actuator.empty();
+    const bool is_of_thrust = is_tried && suspect.entry.actuator.empty();
     if (is_of_thrust && thrust_is_prompt) continue;
     MotionStructure longer = structure;
     longer.entries.push_back(suspect.entry);
@@ -190,13 +213,15 @@ std::optional<NamedEntry> TrySuspects(const CoupledLogs& logs,
       tried.push_back({suspect.entry, suspect.misfit, climb->num_rungs()});
       if (climb->Try(RungOf(suspect.entry), longer, std::move(fit))) stands = tried.back();
     }
-    if (!is_late && !stands) break;
+    if (!is_tried && !stands) break;
   }
   if (!stands) return std::nullopt;
   NamedEntry named;
   named.entry = stands->entry;
   for (const Tried& other : tried) {
-    if (other.entry == named.entry || other.misfit >= stands->misfit + kMuchNearer) continue;
+    if (other.entry == named.entry) continue;
+    const bool is_as_near = other.misfit < stands->misfit + kMuchNearer;
+    if (!is_as_near && !AreAlike(other.entry, named.entry)) continue;
     if (!other.rung || !climb->IsNearer(*stands->rung, *other.rung)) {
       named.not_told_apart.push_back(other.entry);
     }

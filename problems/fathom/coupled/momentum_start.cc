@@ -4,6 +4,7 @@
 #include "fathom/coupled/momentum_start.h"
 
 #include "fathom/coupled/command_forces.h"
+#include "fathom/coupled/fin_angles.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/vehicle/coupled/coriolis.h"
 #include "fathom/vehicle/coupled/coupled_effects.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -80,6 +82,8 @@ Vector6 RateOf(const FreeEntry& entry,
     case Kind::kFinNeutral:
     case Kind::kFinStuck:
     case Kind::kFinLag:
+    case Kind::kFinRateLimit:
+    case Kind::kFinStall:
       break;
   }
   return force;
@@ -114,6 +118,7 @@ void AddPieces(const CoupledData& log,
                const CoupledSegment& segment,
                const MotionStructure& structure,
                const CoupledModel& held,
+               const FinAngles& angles,
                Balance* balance) {
   const auto num = static_cast<Eigen::Index>(structure.entries.size());
   const CoupledCommand& command = log.inputs.command;
@@ -139,7 +144,8 @@ void AddPieces(const CoupledData& log,
       const Eigen::Vector3d down = attitude.conjugate() * Eigen::Vector3d::UnitZ();
       Vector6 known = held.linear_damping * nu +
                       held.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu) + held.offset +
-                      nu[0] * (held.lift * nu) - FinForcesAt(command, segment.time[i], nu, held);
+                      nu[0] * (held.lift * nu) -
+                      FinForcesAt(command, angles, segment.time[i], nu, held);
       if (structure.coriolis) known += CoriolisForce(held.inertia, nu);
       known.head<3>() += held.net_buoyancy * down;
       known[3] += held.righting_roll * down[1];
@@ -151,7 +157,7 @@ void AddPieces(const CoupledData& log,
         const FreeEntry& entry = structure.entries[static_cast<std::size_t>(k)];
         left.col(k) += dt * RateOf(entry, nu, down, structure.coriolis);
         if (!IsOfActuator(entry)) continue;
-        left.col(k) -= dt * (FinForcesBy(entry, command, segment.time[i], nu, held) +
+        left.col(k) -= dt * (FinForcesBy(entry, command, angles, segment.time[i], nu, held) +
                              ShaftForcesBy(entry, command, segment.time[i], nu, held));
       }
     }
@@ -164,8 +170,8 @@ void AddPieces(const CoupledData& log,
         left.col(k) -= ThrustImpulseBy(entry, command, from, to, held);
       }
       if (IsLateness(entry)) {
-        left.col(k) -= FinForcesLater(entry, command, from, KnownOr0(first.nu), held) -
-                       FinForcesLater(entry, command, to, KnownOr0(last.nu), held);
+        left.col(k) -= FinForcesLater(entry, command, angles, from, KnownOr0(first.nu), held) -
+                       FinForcesLater(entry, command, angles, to, KnownOr0(last.nu), held);
       }
     }
     for (const Dof dof : structure.dofs) {
@@ -228,7 +234,8 @@ Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter
 }
 
 // The model with the numbers that are not free; of the others the inertia is that of the body
-// alone, and how late a command is stays, since (6) is linear near it only; the rest is 0.
+// alone, how late a command is stays, since (6) is linear near it only, and so does a bound; the
+// rest is 0.
 CoupledModel KnownOf(const MotionStructure& structure,
                      const CoupledModel& held,
                      const RigidBody& body) {
@@ -237,7 +244,7 @@ CoupledModel KnownOf(const MotionStructure& structure,
   known.dofs = structure.dofs;
   known.coriolis = structure.coriolis;
   for (const FreeEntry& entry : structure.entries) {
-    if (IsLateness(entry)) continue;
+    if (IsLateness(entry) || IsLimit(entry)) continue;
     const bool is_inertia = entry.kind == Kind::kInertia;
     SetValue(entry, is_inertia ? of_body(Index(entry.row), Index(entry.column)) : 0.0, &known);
   }
@@ -249,8 +256,9 @@ Balance BalanceOf(std::span<const CoupledData> logs,
                   const CoupledModel& known) {
   Balance balance;
   for (const CoupledData& log : logs) {
+    const FinAngles angles(log.inputs.command, known);
     for (const CoupledSegment& segment : log.segments) {
-      if (!segment.is_held_out) AddPieces(log, segment, structure, known, &balance);
+      if (!segment.is_held_out) AddPieces(log, segment, structure, known, angles, &balance);
     }
   }
   return balance;
@@ -298,11 +306,53 @@ double LeastEffect(const FreeEntry& entry, const Sizes& sizes) {
 
 }  // namespace
 
+std::span<const double> LimitsTried(const FreeEntry& entry) {
+  static constexpr std::array<double, 9> kRates = {0.03, 0.05, 0.08, 0.12, 0.2, 0.3, 0.5, 0.8, 1.5};
+  static constexpr std::array<double, 7> kStalls = {0.06, 0.09, 0.13, 0.18, 0.25, 0.35, 0.5};
+  if (entry.kind == Kind::kFinStall) return kStalls;
+  return kRates;
+}
+
+double MomentumMisfit(std::span<const CoupledData> logs,
+                      const MotionStructure& structure,
+                      const CoupledModel& held) {
+  const Balance balance = BalanceOf(logs, structure, KnownOf(structure, held, {}));
+  Vector6 scatter;
+  Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
+  double misfit = 0.0;
+  for (const int dof : balance.dof) misfit += 2.0 * std::log(scatter[dof]);
+  return misfit;
+}
+
+namespace {
+
+// With the free bounds that it leaves infinite at the best of those tried, one after the other.
+CoupledModel WithLimits(std::span<const CoupledData> logs,
+                        const MotionStructure& structure,
+                        CoupledModel held) {
+  for (const FreeEntry& entry : structure.entries) {
+    if (!IsLimit(entry) || std::isfinite(ValueIn(held, entry))) continue;
+    double least = std::numeric_limits<double>::infinity();
+    CoupledModel best = held;
+    for (const double limit : LimitsTried(entry)) {
+      SetValue(entry, limit, &held);
+      const double misfit = MomentumMisfit(logs, structure, held);
+      if (misfit >= least) continue;
+      least = misfit;
+      best = held;
+    }
+    held = best;
+  }
+  return held;
+}
+
+}  // namespace
+
 CoupledModel MomentumStart(std::span<const CoupledData> logs,
                            const MotionStructure& structure,
                            const CoupledModel& held,
                            const RigidBody& body) {
-  CoupledModel known = KnownOf(structure, held, body);
+  CoupledModel known = KnownOf(structure, WithLimits(logs, structure, held), body);
   const Balance balance = BalanceOf(logs, structure, known);
   Vector6 scatter;
   const Eigen::VectorXd solution =
@@ -328,17 +378,6 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
   const auto floor = [](const Vector6& least) { return least.cwiseMax(1e-6).cwiseMin(1e6).eval(); };
   return MovedInside(
       known, structure.entries, body, floor(damping), floor(quadratic), floor(inertia));
-}
-
-double MomentumMisfit(std::span<const CoupledData> logs,
-                      const MotionStructure& structure,
-                      const CoupledModel& held) {
-  const Balance balance = BalanceOf(logs, structure, KnownOf(structure, held, {}));
-  Vector6 scatter;
-  Solve(balance, static_cast<Eigen::Index>(structure.entries.size()), &scatter);
-  double misfit = 0.0;
-  for (const int dof : balance.dof) misfit += 2.0 * std::log(scatter[dof]);
-  return misfit;
 }
 
 }  // namespace fathom

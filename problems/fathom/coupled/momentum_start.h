@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/simulate/coupled/coupled_data.h"
+#include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 #include "fathom/vehicle/coupled/rigid_body.h"
 
@@ -16,8 +17,10 @@ namespace fathom {
 //
 //   M (nu_b - nu_a) + int (C nu + D nu + g + o - B T) dt = 0       docs/coupled.md (6)
 //
-// It is linear in the entries. Entries that these data cannot tell stay small. The result is
-// inside the bounds of PhysicalBarrier. `held`: the numbers that are not free.
+// It is linear in the entries but for bounds: one that `held` leaves infinite starts at the value
+// of LimitsTried() that brings (6) nearest, one that it holds starts there. Entries that these data
+// cannot tell stay small. The result is inside the bounds of PhysicalBarrier. `held`: the numbers
+// that are not free.
 CoupledModel MomentumStart(std::span<const CoupledData> logs,
                            const MotionStructure& structure,
                            const CoupledModel& held,
@@ -28,5 +31,9 @@ CoupledModel MomentumStart(std::span<const CoupledData> logs,
 double MomentumMisfit(std::span<const CoupledData> logs,
                       const MotionStructure& structure,
                       const CoupledModel& held);
+
+// Values of a bound that (6) is tried with: of a fin's rate [rad/s], or of the angle at which it
+// stalls [rad].
+std::span<const double> LimitsTried(const FreeEntry& entry);
 
 }  // namespace fathom

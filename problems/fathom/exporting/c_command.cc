@@ -122,25 +122,48 @@ std::string Propeller(const std::string& name) {
       name);
 }
 
-std::string AddFin(const std::string& name) {
+std::string Stalled(const std::string& name) {
+  return fmt::format(
+      "/* What stall leaves of the sine y of an angle of attack; L is that of the angle at which a "
+      "fin "
+      "stalls. */\n"
+      "static inline double {0}_stalled(double y, double L) {{\n"
+      "  const double beyond = fabs(y) - 0.9 * L;\n"
+      "  if (beyond <= 0.0) return y;\n"
+      "  return copysign(beyond < 0.2 * L ? fabs(y) - beyond * beyond / (0.4 * L) : L, y);\n"
+      "}}\n"
+      "\n",
+      name);
+}
+
+// With `stalls` each fin has the sine of the angle at which it stalls.
+std::string AddFin(bool stalls, const std::string& name) {
   return fmt::format(
       "/* F_N = f V (s sin(angle) - w cos(angle)), V^2 = s^2 + w^2, s^2 = u^2 + race. */\n"
-      "static inline void {0}_add_fin(double f, double angle, double race, const double along[6],\n"
+      "static inline void {0}_add_fin(double f, double angle, double race, {1}const double "
+      "along[6],\n"
       "                               const double across[6], const double nu[6], double tau[6]) "
       "{{\n"
       "  const double sine = sin(angle), cosine = cos(angle);\n"
-      "  double u = 0.0, w = 0.0, s, load;\n"
+      "  double u = 0.0, w = 0.0, s, {2}load;\n"
       "  int i;\n"
       "  for (i = 0; i < 6; ++i) {{\n"
       "    u += along[i] * nu[i];\n"
       "    w += across[i] * nu[i];\n"
       "  }}\n"
       "  s = race != 0.0 ? sqrt(fmax(u * u + race, 1e-9)) : u;\n"
-      "  load = f * hypot(s, w) * (s * sine - w * cosine);\n"
+      "{3}"
       "  for (i = 0; i < 6; ++i) tau[i] += load * (cosine * across[i] - sine * along[i]);\n"
       "}}\n"
       "\n",
-      name);
+      name,
+      stalls ? "double L, " : "",
+      stalls ? "V, " : "",
+      stalls ? fmt::format("  V = hypot(s, w);\n"
+                           "  if (V == 0.0) return;\n"
+                           "  load = f * V * V * {}_stalled((s * sine - w * cosine) / V, L);\n",
+                           name)
+             : "  load = f * hypot(s, w) * (s * sine - w * cosine);\n");
 }
 
 // tau += what shaft k gives; its thrust stays in thrust[k].
@@ -200,9 +223,21 @@ std::string AngleOf(const ExportModel& model,
                      is_straight ? "" : " - " + MacroOf(model, FinNeutralEntry(fin.name), name));
 }
 
+bool Stalls(const ExportModel& model, const Fin& fin) {
+  return HasNumber(model, FinStallEntry(fin.name));
+}
+
+// "sin(BOAT_FIN_STALL_1), ".
+std::string LimitOf(const ExportModel& model, const Fin& fin, const std::string& name) {
+  if (!Stalls(model, fin)) return "HUGE_VAL, ";
+  return fmt::format("sin({}), ", MacroOf(model, FinStallEntry(fin.name), name));
+}
+
+// `stalls`: some fin of the model does.
 std::string ForceOfFin(const ExportModel& model,
                        const Fin& fin,
                        std::size_t k,
+                       bool stalls,
                        const ExportTarget& target) {
   const std::string& name = target.name;
   const FinArms arms = ArmsOf(fin);
@@ -211,7 +246,7 @@ std::string ForceOfFin(const ExportModel& model,
       "    static const double along[6] = {};\n"
       "    static const double across[6] = {};\n"
       "    {}_add_fin({}, {},\n"
-      "        {}, along, across, nu, tau);\n"
+      "        {}, {}along, across, nu, tau);\n"
       "  }}\n",
       CommentText(fin.name),
       Row(arms.along),
@@ -219,7 +254,42 @@ std::string ForceOfFin(const ExportModel& model,
       name,
       MacroOf(model, FinForceEntry(fin.name), name),
       AngleOf(model, fin, k, name),
-      RaceOf(model, fin, k, target));
+      RaceOf(model, fin, k, target),
+      stalls ? LimitOf(model, fin, name) : "");
+}
+
+std::string Turn(const std::string& name) {
+  return fmt::format(
+      "/* From *angle to an order at a rate, over h [s]: the mean, *angle at the end. */\n"
+      "static inline double {0}_turn(double order, double rate, double h, double *angle) {{\n"
+      "  const double begin = *angle, way = order - begin, needed = fabs(way) / rate;\n"
+      "  if (needed > h) {{\n"
+      "    *angle = begin + copysign(rate * h, way);\n"
+      "    return 0.5 * (begin + *angle);\n"
+      "  }}\n"
+      "  *angle = order;\n"
+      "  return order - 0.5 * way * needed / h;\n"
+      "}}\n"
+      "\n",
+      name);
+}
+
+// The mean angle of fin k, and where it then is.
+std::string MeanAngleOf(const ExportModel& model,
+                        const Fin& fin,
+                        std::size_t k,
+                        const std::string& name) {
+  const auto follows = [&](const char* how, const FreeEntry& by) {
+    return fmt::format("  mean[{0}] = {1}_{2}(order[{0}], {3}, h, &angle[{0}]);\n",
+                       k,
+                       name,
+                       how,
+                       MacroOf(model, by, name));
+  };
+  const FreeEntry lag = FinLagEntry(fin.name), rate = FinRateLimitEntry(fin.name);
+  if (HasNumber(model, lag)) return follows("lag", lag);
+  if (HasNumber(model, rate)) return follows("turn", rate);
+  return fmt::format("  mean[{0}] = angle[{0}] = order[{0}];\n", k);
 }
 
 }  // namespace
@@ -233,7 +303,9 @@ CCommand CommandInC(const ExportModel& model, const ExportTarget& target) {
       std::ranges::any_of(fins, [&](const Fin& fin) { return StandsInRace(model, fin); });
   std::string text = Struct(fins, shafts, has_race, name);
   if (!shafts.empty()) text += Propeller(name);
-  if (!fins.empty()) text += AddFin(name);
+  const bool stalls = std::ranges::any_of(fins, [&](const Fin& fin) { return Stalls(model, fin); });
+  if (stalls) text += Stalled(name);
+  if (!fins.empty()) text += AddFin(stalls, name);
   text += fmt::format(
       "/* What fins, shafts and the rest of the command give at a velocity [N], [N m]. */\n"
       "static inline void {0}_command_forces(const double nu[6], const {0}_command *command,\n"
@@ -245,17 +317,21 @@ CCommand CommandInC(const ExportModel& model, const ExportTarget& target) {
       shafts.empty() ? "" : fmt::format("  double thrust[{}];\n", shafts.size()));
   for (std::size_t k = 0; k < shafts.size(); ++k) text += ForceOfShaft(model, shafts[k], k, name);
   for (std::size_t k = 0; k < fins.size(); ++k) {
-    text += ForceOfFin(model, fins[k], k, target);
+    text += ForceOfFin(model, fins[k], k, stalls, target);
   }
   return {text + "}\n\n", fmt::format("const {}_command *command", name), "command"};
 }
 
 std::string CFinAngles(const ExportModel& model, const ExportTarget& target) {
   const std::vector<Fin> fins = FinsOf(model, target);
-  const auto lags = [&](const Fin& fin) { return HasNumber(model, FinLagEntry(fin.name)); };
-  if (std::ranges::none_of(fins, lags)) return "";
-  std::string text = fmt::format(
-      "/* The mean angles over the next h [s] of fins that lag behind an order that is held so "
+  const auto turns = [&](const Fin& fin) { return HasNumber(model, FinRateLimitEntry(fin.name)); };
+  const auto follows = [&](const Fin& fin) {
+    return turns(fin) || HasNumber(model, FinLagEntry(fin.name));
+  };
+  if (std::ranges::none_of(fins, follows)) return "";
+  std::string text = std::ranges::any_of(fins, turns) ? Turn(target.name) : "";
+  text += fmt::format(
+      "/* The mean angles over the next h [s] of fins that follow an order that is held so "
       "long, for\n"
       " * {0}_command.fin; `angle` moves on to where they then are [rad]. */\n"
       "static inline void {0}_fin_angles(const double order[{1}], double h, double angle[{1}],\n"
@@ -263,11 +339,7 @@ std::string CFinAngles(const ExportModel& model, const ExportTarget& target) {
       target.name,
       fins.size());
   for (std::size_t k = 0; k < fins.size(); ++k) {
-    text += lags(fins[k]) ? fmt::format("  mean[{0}] = {1}_lag(order[{0}], {2}, h, &angle[{0}]);\n",
-                                        k,
-                                        target.name,
-                                        MacroOf(model, FinLagEntry(fins[k].name), target.name))
-                          : fmt::format("  mean[{0}] = angle[{0}] = order[{0}];\n", k);
+    text += MeanAngleOf(model, fins[k], k, target.name);
   }
   return text + "}\n\n";
 }

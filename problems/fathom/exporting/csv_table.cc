@@ -57,6 +57,8 @@ std::string FrameOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
+    case FreeEntry::Kind::kFinRateLimit:
+    case FreeEntry::Kind::kFinStall:
       return "fin";
     default:
       return "body: FRD about its origin";

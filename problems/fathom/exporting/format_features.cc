@@ -326,6 +326,8 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
+    case FreeEntry::Kind::kFinRateLimit:
+    case FreeEntry::Kind::kFinStall:
       return ExportFeature::kFins;
     case FreeEntry::Kind::kEffect:  // ExportModel::effects
     case FreeEntry::Kind::kThrusterEffect:

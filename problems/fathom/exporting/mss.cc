@@ -44,6 +44,8 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kFinNeutral:
     case FreeEntry::Kind::kFinStuck:
     case FreeEntry::Kind::kFinLag:
+    case FreeEntry::Kind::kFinRateLimit:
+    case FreeEntry::Kind::kFinStall:
     case FreeEntry::Kind::kEffect:
     case FreeEntry::Kind::kThrusterEffect:
     case FreeEntry::Kind::kCurrent:

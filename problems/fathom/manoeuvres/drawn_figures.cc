@@ -35,6 +35,7 @@ std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
     for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
       const FreeEntry& entry = fitted.entries[k];
       const double value = ValueIn(model, entry) + move[static_cast<Eigen::Index>(k)];
+      if (IsLimit(entry) && !MayBe(entry, value)) continue;
       SetValue(entry, IsLag(entry) ? std::max(value, 0.0) : value, &model);
     }
   }

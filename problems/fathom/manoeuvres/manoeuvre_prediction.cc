@@ -146,7 +146,7 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
   report.num_draws = draws.count;
   report.num_astray = NumAstray(drawn);
   report.ahead = helm.driven.ahead;
-  report.rudder_rate = helm.driven.rudder_rate;
+  report.rudder_rate = RudderRate(fitted.model, helm.fins, helm.driven);
   report.rudder_delay = helm.driven.rudder_delay;
   report.length = helm.length;
   AddMeasured(helm, &report);

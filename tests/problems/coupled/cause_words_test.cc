@@ -31,5 +31,24 @@ TEST(CauseSentence, SaysAtWhichAngleAFinIsStuck) {
   EXPECT_THAT(text, HasSubstr("These data cannot tell it from fin_force.port."));
 }
 
+TEST(CauseSentence, SaysHowFastAFinTurns) {
+  const NamedEntry slow = {FinRateLimitEntry("port"), 0.15, 0.002, {}, 0.0};
+  const std::string text = CauseSentence(slow, "N");
+  EXPECT_THAT(text, StartsWith("Fin port turns to its command no faster than this rate: 0.15"));
+  EXPECT_THAT(text, HasSubstr("rad/s"));
+  CoupledDiagnosis diagnosis;
+  diagnosis.causes = {slow};
+  EXPECT_THAT(CoupledNextSteps(diagnosis).front(), HasSubstr("Log the angle that fin port has"));
+}
+
+TEST(CauseSentence, SaysWhereAFinStalls) {
+  const NamedEntry stalls = {FinStallEntry("port"), 0.2, 0.002, {}, 0.0};
+  EXPECT_THAT(CauseSentence(stalls, "N"),
+              StartsWith("The lift of fin port grows no more from this angle of attack on: 0.2"));
+  CoupledDiagnosis diagnosis;
+  diagnosis.causes = {stalls};
+  EXPECT_THAT(CoupledNextSteps(diagnosis).front(), StartsWith("Turn fin port no further"));
+}
+
 }  // namespace
 }  // namespace fathom

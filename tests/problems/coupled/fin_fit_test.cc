@@ -3,7 +3,9 @@
 
 #include "fathom/coupled/block_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "drawn_vehicle.h"
@@ -35,6 +37,12 @@ CoupledModel DrawnSurveyVehicle(std::mt19937* random) {
   return model;
 }
 
+double RateOfRudder(const CoupledModel& model) {
+  const auto limit = model.fin_rate_limit.find("rudder");
+  return limit == model.fin_rate_limit.end() ? std::numeric_limits<double>::infinity()
+                                             : limit->second;
+}
+
 // 150 s at 10 Hz, white noise, by another integrator than Fathom's and the law by angles.
 CoupledData DrawnSurveyLog(const CoupledModel& model, std::mt19937* random) {
   const auto between = [&](double low, double high) {
@@ -52,7 +60,7 @@ CoupledData DrawnSurveyLog(const CoupledModel& model, std::mt19937* random) {
   PlainSimulator plain(model);
   plain.nu[0] = 1.0;
   Vector6 tau = Vector6::Zero();
-  double angle = 0.0, next_change = 0.0;
+  double commanded = 0.0, angle = 0.0, next_change = 0.0;
   plain.more = [&](const Vector6& nu) {
     const double u = nu[0], w = nu[1] - 0.8 * nu[5];
     const double load = kRudderForce * (u * u + w * w) * std::sin(angle - std::atan2(w, u));
@@ -71,13 +79,17 @@ CoupledData DrawnSurveyLog(const CoupledModel& model, std::mt19937* random) {
     segment.velocity.push_back(measured);
     if (t >= next_change - 1e-9) {
       tau[0] = between(20.0, 60.0);
-      angle = between(-0.4, 0.4);
+      commanded = between(-0.4, 0.4);
       command.time.push_back(t);
       command.force.push_back(tau);
-      command.fins[0].angle.push_back(angle);
+      command.fins[0].angle.push_back(commanded);
       next_change = t + std::round(10.0 * between(2.0, 6.0)) / 10.0;
     }
-    plain.Advance(tau, 0.1, 0.005);
+    for (int step = 0; step < 20; ++step) {
+      const double most = 0.005 * RateOfRudder(model);
+      angle += std::clamp(commanded - angle, -most, most);
+      plain.Advance(tau, 0.005, 0.005);
+    }
   }
   data.segments.push_back(segment);
   return data;
@@ -104,6 +116,26 @@ TEST(FitCoupled, FindsTheLiftOfASurveyVehicle) {
       EXPECT_LT(std, 0.1 * ValueIn(truth, entry)) << NameOf(entry);
     }
   }
+}
+
+// From a start that knows of no limit.
+TEST(FitCoupled, FindsTheLimitedRateOfARudder) {
+  std::mt19937 random(32);
+  CoupledModel truth = DrawnSurveyVehicle(&random);
+  truth.fin_rate_limit = {{"rudder", 0.25}};
+  CoupledLogs logs;
+  logs.data = {DrawnSurveyLog(truth, &random)};
+  CoupledFitOptions options;
+  options.held.fin_force = truth.fin_force;
+  MotionStructure structure =
+      StructureOf(StandardStructure::kLift, truth.dofs, {{"rudder", true, false}});
+  structure.entries.push_back(FinRateLimitEntry("rudder"));
+  const CoupledSummary fit = FitBlocks(logs, structure, options);
+  ASSERT_TRUE(fit.IsUsable()) << fit.message;
+  const auto last = fit.covariance.rows() - 1;
+  const double std = std::sqrt(fit.covariance(last, last));
+  EXPECT_NEAR(fit.model.fin_rate_limit.at("rudder"), 0.25, 4.0 * std);
+  EXPECT_LT(std, 0.01);
 }
 
 }  // namespace

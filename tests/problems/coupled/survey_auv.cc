@@ -6,6 +6,7 @@
 #include "fathom/coupled/ladder.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -41,12 +42,24 @@ Fin FinAt(const char* name, double y, double z) {
   return fin;
 }
 
-// The law of docs/fins.md by angles and a turned normal.
-Vector6 ForceByAngles(const Fin& fin, double f, double angle, const Vector6& nu) {
+// docs/fins.md (3) as the integral of its slope: 1, then down to 0 over a fifth of the limit.
+double Stalled(double sine, double limit) {
+  const double in_bend = std::clamp(std::abs(sine) - 0.9 * limit, 0.0, 0.2 * limit);
+  const double size =
+      std::min(std::abs(sine), 0.9 * limit) + in_bend * (1.0 - in_bend / (0.4 * limit));
+  return std::copysign(size, sine);
+}
+
+// The law of docs/fins.md by angles and a turned normal; `limit`: the sine of the angle of attack
+// at which the fin stalls.
+Vector6 ForceByAngles(
+    const Fin& fin, double f, double angle, std::optional<double> limit, const Vector6& nu) {
   const Eigen::Vector3d v = nu.head<3>() + Eigen::Vector3d(nu.tail<3>()).cross(fin.position);
   const Eigen::Vector3d across = fin.axis.cross(Eigen::Vector3d::UnitX());
   const double w = v.dot(across);
-  const double load = f * (v.x() * v.x() + w * w) * std::sin(angle - std::atan2(w, v.x()));
+  double sine = std::sin(angle - std::atan2(w, v.x()));
+  if (limit) sine = Stalled(sine, *limit);
+  const double load = f * (v.x() * v.x() + w * w) * sine;
   const Eigen::Vector3d force = load * (Eigen::AngleAxisd(angle, fin.axis) * across);
   Vector6 all;
   all << force, fin.position.cross(force);
@@ -82,6 +95,8 @@ Orders OrdersAt(SurveyRun run, double t, Draw* draw) {
 FreeEntry EntryOf(FinFault fault, const std::string& fin) {
   if (fault == FinFault::kDead) return FinForceEntry(fin);
   if (fault == FinFault::kSlow) return FinLagEntry(fin);
+  if (fault == FinFault::kStalled) return FinStallEntry(fin);
+  if (fault == FinFault::kLimited) return FinRateLimitEntry(fin);
   return fault == FinFault::kStuck ? FinStuckEntry(fin) : FinNeutralEntry(fin);
 }
 
@@ -163,7 +178,7 @@ CoupledData SurveyLog(
   PlainSimulator plain(auv.truth);
   plain.nu[0] = 1.0;
   std::array<double, 4> angles = {};
-  double slow = 0.0;  // the angle of a slow fin
+  double slow = 0.0, limited = 0.0;  // the angle of a slow fin, and of one of a limited rate
   plain.more = [&](const Vector6& nu) {
     Vector6 force = -nu[0] * (auv.truth.lift * nu);
     for (std::size_t k = 0; k < auv.fins.size(); ++k) {
@@ -172,8 +187,11 @@ CoupledData SurveyLog(
       if (k == auv.faulty && fault == FinFault::kDead) continue;
       if (k == auv.faulty && fault == FinFault::kStuck) angle = auv.stuck;
       if (k == auv.faulty && fault == FinFault::kSlow) angle = slow;
+      if (k == auv.faulty && fault == FinFault::kLimited) angle = limited;
       if (k == auv.faulty && fault == FinFault::kNeutral) angle -= kNeutralOfSurvey;
-      force += ForceByAngles(fin, auv.truth.fin_force.at(fin.name), angle, nu);
+      std::optional<double> limit;
+      if (k == auv.faulty && fault == FinFault::kStalled) limit = std::sin(kStallOfSurvey);
+      force += ForceByAngles(fin, auv.truth.fin_force.at(fin.name), angle, limit, nu);
     }
     return force;
   };
@@ -204,7 +222,9 @@ CoupledData SurveyLog(
           run == SurveyRun::kSteps ? t + std::round(10.0 * draw.Between(1.0, 5.0)) / 10.0 : t + 1.0;
     }
     for (int step = 0; step < 20; ++step) {
+      const double miss = angles[auv.faulty] - limited, most = 0.005 * kRateOfSurvey;
       slow += 0.005 / kLagOfSurvey * (angles[auv.faulty] - slow);
+      limited += std::clamp(miss, -most, most);
       plain.Advance(tau, 0.005, 0.005);
     }
   }
@@ -253,8 +273,13 @@ SurveyNaming NameFault(unsigned seed, FinFault fault) {
   for (const NamedEntry& named : ladder.named) {
     const bool is_fault =
         fault != FinFault::kNone && named.entry == EntryOf(fault, auv.fins[auv.faulty].name);
-    result.is_right = result.is_right || is_fault;
-    if (!is_fault) ++result.num_false;
+    if (is_fault) {
+      result.is_right = true;
+      result.value = named.value;
+      result.std = named.std;
+    } else {
+      ++result.num_false;
+    }
     result.named.push_back(NameOf(named.entry));
     for (const FreeEntry& other : named.not_told_apart) {
       result.not_told_apart.push_back(NameOf(other));

@@ -15,7 +15,7 @@
 namespace fathom {
 
 // What is wrong with one fin of a survey AUV.
-enum class FinFault { kNone, kDead, kStuck, kNeutral, kSlow };
+enum class FinFault { kNone, kDead, kStuck, kNeutral, kSlow, kLimited, kStalled };
 
 // A survey AUV of six DOFs with four fins in a cross at its stern, drawn: its numbers, which fin a
 // fault is of, and how far that is stuck off.
@@ -32,6 +32,12 @@ inline constexpr double kNeutralOfSurvey = 0.05236;
 
 // The time constant of a slow fin [s].
 inline constexpr double kLagOfSurvey = 0.5;
+
+// The rate of a fin that is limited [rad/s].
+inline constexpr double kRateOfSurvey = 0.15;
+
+// The angle of attack at which a fin stalls early [rad].
+inline constexpr double kStallOfSurvey = 0.12;
 
 // How the fins turn: steps by chance for a fit, or a zigzag, a circle and steps in depth.
 enum class SurveyRun { kSteps, kManoeuvres };
@@ -59,7 +65,9 @@ struct SurveyNaming {
   std::vector<std::string> named;
   std::vector<std::string> not_told_apart;
   bool is_right = false;  // the fault is among them
-  int num_false = 0;      // others
+  double value = 0.0;     // of the fault, and its standard deviation [unit of the entry]
+  double std = 0.0;
+  int num_false = 0;  // others
 };
 SurveyNaming NameFault(unsigned seed, FinFault fault);
 

@@ -41,6 +41,23 @@ TEST(SurveyAuv, HasAFinThatIsNotStraightAndIsNamed) { ExpectNamedAlone(FinFault:
 
 TEST(SurveyAuv, HasASlowFinThatIsNamed) { ExpectNamedAlone(FinFault::kSlow); }
 
+// The same, with an interval that holds the truth and is within a tenth of it.
+void ExpectNamedAloneAs(FinFault fault, double truth) {
+  const SurveyNaming naming = NameFault(4, fault);
+  EXPECT_TRUE(naming.is_right) << ::testing::PrintToString(naming.named);
+  EXPECT_EQ(naming.num_false, 0) << ::testing::PrintToString(naming.named);
+  EXPECT_NEAR(naming.value, truth, 3.0 * naming.std);
+  EXPECT_LT(naming.std, 0.1 * truth);
+}
+
+TEST(SurveyAuv, HasAFinOfALimitedRateThatIsNamed) {
+  ExpectNamedAloneAs(FinFault::kLimited, kRateOfSurvey);
+}
+
+TEST(SurveyAuv, HasAFinThatStallsEarlyAndIsNamed) {
+  ExpectNamedAloneAs(FinFault::kStalled, kStallOfSurvey);
+}
+
 TEST(SurveyAuv, ThatIsSoundHasNoFault) {
   EXPECT_THAT(NameFault(4, FinFault::kNone).named, IsEmpty());
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The figures of docs/fins.md on drawn survey AUVs: survey_scores fits|none|dead|stuck|neutral 30.
+// The figures of docs/fins.md on drawn survey AUVs: survey_scores
+// fits|none|dead|stuck|neutral|slow|limited|stalled 30.
 
 #include <algorithm>
 #include <cstdio>
@@ -44,11 +45,13 @@ void PrintNamings(FinFault fault, const char* name, std::size_t count) {
   std::vector<SurveyNaming> namings(count);
   SideBySide(count, kThreads, [&](std::size_t k) {
     namings[k] = NameFault(static_cast<unsigned>(k + 1), fault);
-    fmt::print("  {} {}: {} (or {})\n",
+    fmt::print("  {} {}: {} (or {}), {:.4g} +- {:.2g}\n",
                name,
                k + 1,
                fmt::join(namings[k].named, ", "),
-               fmt::join(namings[k].not_told_apart, ", "));
+               fmt::join(namings[k].not_told_apart, ", "),
+               namings[k].value,
+               namings[k].std);
     std::fflush(stdout);
   });
   int num_right = 0, num_false = 0;
@@ -71,7 +74,9 @@ int main(int argc, char** argv) {
                                     {FinFault::kDead, "dead"},
                                     {FinFault::kStuck, "stuck"},
                                     {FinFault::kNeutral, "neutral"},
-                                    {FinFault::kSlow, "slow"}}) {
+                                    {FinFault::kSlow, "slow"},
+                                    {FinFault::kLimited, "limited"},
+                                    {FinFault::kStalled, "stalled"}}) {
     if (what == name) PrintNamings(fault, name, count);
   }
   return 0;

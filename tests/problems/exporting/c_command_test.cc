@@ -90,10 +90,9 @@ TEST(CCommand, GivesTheForcesOfARudderInTheRaceOfAShaft) {
 }
 
 // 0.4 s of each of 20 commands, ahead and astern, by steps of both that are the same.
-TEST(CCommand, RunsAsOurOwnSimulation) {
+void ExpectRunsAsOurOwn(const FittedCoupledModel& fitted) {
   constexpr double kStep = 0.004;
   constexpr std::size_t kNumSteps = 2000, kStepsOfACommand = 100;
-  const FittedCoupledModel fitted = Ship();
   const ExportTarget target = Target();
   const std::vector<DrawnState> drawn =
       DrawnStates(fitted.model, static_cast<int>(kNumSteps / kStepsOfACommand), false);
@@ -151,6 +150,14 @@ TEST(CCommand, RunsAsOurOwnSimulation) {
   }
 }
 
+TEST(CCommand, RunsAsOurOwnSimulation) { ExpectRunsAsOurOwn(Ship()); }
+
+TEST(CCommand, RunsAsOurOwnSimulationOfFinsThatStall) {
+  FittedCoupledModel ship = Ship();
+  ship.model.fin_stall = {{"rudder", 0.2}, {"askew", 0.1}};
+  ExpectRunsAsOurOwn(ship);
+}
+
 // From 0 to an order of 0.3 rad with T = 0.5 s over 0.2 s: 0.3 (1 - exp(-0.4)) at the end, and in
 // the mean 0.3 (1 - 0.5/0.2 (1 - exp(-0.4))).
 TEST(CCommand, MovesFinsThatLagTowardsTheirOrders) {
@@ -168,6 +175,28 @@ TEST(CCommand, MovesFinsThatLagTowardsTheirOrders) {
   EXPECT_EQ(numbers[1], 0.1);
   EXPECT_NEAR(numbers[2], 0.3 * (1.0 - std::exp(-0.4)), 1e-15);
   EXPECT_NEAR(numbers[3], 0.3 * (1.0 - 2.5 * (1.0 - std::exp(-0.4))), 1e-15);
+}
+
+// From 0 to orders of 0.3 and of -0.05 rad at 0.5 rad/s over 0.2 s: the one comes to 0.1, the other
+// is there after 0.1 s.
+TEST(CCommand, TurnsFinsOfALimitedRateTowardsTheirOrders) {
+  FittedCoupledModel fitted = Ship();
+  fitted.model.fin_rate_limit = {{"rudder", 0.5}};
+  const std::vector<double> numbers =
+      NumbersPrinted("ship",
+                     CHeader(ExportModelOf(fitted, "ship.json"), Target()).text,
+                     "const double far[3] = {0.1, 0.3, 0.2}, near[3] = {0.1, -0.05, 0.2};\n"
+                     "double angle[3] = {0}, mean[3];\n"
+                     "ship_fin_angles(far, 0.2, angle, mean);\n"
+                     "printf(\"%.17g %.17g\\n\", angle[1], mean[1]);\n"
+                     "angle[1] = 0.0;\n"
+                     "ship_fin_angles(near, 0.2, angle, mean);\n"
+                     "printf(\"%.17g %.17g\\n\", angle[1], mean[1]);\n");
+  ASSERT_EQ(numbers.size(), 4u);
+  EXPECT_NEAR(numbers[0], 0.1, 1e-15);
+  EXPECT_NEAR(numbers[1], 0.05, 1e-15);
+  EXPECT_NEAR(numbers[2], -0.05, 1e-15);
+  EXPECT_NEAR(numbers[3], -0.0375, 1e-15);
 }
 
 std::string Refusal(const std::function<void()>& call) {

@@ -35,6 +35,15 @@ void CheckSizes(const CoupledCommand& command) {
   }
 }
 
+FinServo ServoOf(const CoupledModel& model, const std::string& fin) {
+  FinServo servo;
+  const auto lag = model.fin_lag.find(fin);
+  if (lag != model.fin_lag.end()) servo.lag = lag->second;
+  const auto rate = model.fin_rate_limit.find(fin);
+  if (rate != model.fin_rate_limit.end()) servo.rate = rate->second;
+  return servo;
+}
+
 }  // namespace
 
 CommandedDrive::CommandedDrive(const CoupledModel& model,
@@ -44,18 +53,19 @@ CommandedDrive::CommandedDrive(const CoupledModel& model,
   CheckSizes(command);
   const Vector6 zero = Vector6::Zero();
   pushed_.assign(entries.size(), {zero, zero, zero});
-  bool has_fin_lag = false;
+  CHECK(!FinWithLagAndRateLimit(model));
+  bool has_servo = false;
   for (const CommandedFin& fin : command.fins) {
-    const auto lag = model.fin_lag.find(fin.name);
-    fins_.push_back({{0.0, 0.0, 0.0}, lag == model.fin_lag.end() ? 0.0 : lag->second});
-    longest_lag_ = std::max(longest_lag_, fins_.back().lag);
-    has_fin_lag |= fins_.back().lag > 0.0;
+    const FinServo& servo = fins_.emplace_back(ServoOf(model, fin.name));
+    longest_lag_ = std::max(longest_lag_, servo.lag);
+    has_limited_fin_ |= servo.IsLimited();
+    has_servo |= !servo.IsAtOnce();
   }
   drive_.turns.assign(command.shafts.size(), 0.0);
   drive_.angles.assign(command.fins.size(), 0.0);
   drive_.races.assign(command.fins.size(), 0.0);
   drive_.tau_by_entry.assign(entries.size(), zero);
-  if (has_fin_lag) {
+  if (has_servo) {
     drive_.angles_by_entry.assign(entries.size(), std::vector<double>(command.fins.size(), 0.0));
   }
 }
@@ -73,7 +83,7 @@ void CommandedDrive::Begin(double t) {
   const Vector6 zero = Vector6::Zero();
   tau_ = {zero, zero, zero};
   for (Lagged<Vector6>& pushed : pushed_) pushed = {zero, zero, zero};
-  for (LaggedFin& fin : fins_) fin.angle = {0.0, 0.0, 0.0};
+  for (FinServo& fin : fins_) fin.lagged = {0.0, 0.0, 0.0};
   std::fill(drive_.turns.begin(), drive_.turns.end(), 0.0);
   std::fill(drive_.races.begin(), drive_.races.end(), 0.0);
   const std::ptrdiff_t last = RowAt(t);
@@ -83,25 +93,41 @@ void CommandedDrive::Begin(double t) {
     Ask(0.0);
     tau_.begun = tau_.target;
     for (Lagged<Vector6>& pushed : pushed_) pushed.begun = pushed.target;
-    for (LaggedFin& fin : fins_) fin.angle.begun = fin.angle.target;
+    for (FinServo& fin : fins_) fin.lagged.begun = fin.lagged.target;
   }
+  if (has_limited_fin_) SlewTo(row_);
   while (row_ < last) Next();
+  Arrive(t);
   Show(row_ < 0 ? 0.0 : t - TimeOf(row_));
 }
 
 void CommandedDrive::MoveTo(double t) {
   if (NextChange() > t) return;
-  while (NextChange() <= t) Next();
+  while (NextRow() <= t) Next();
+  Arrive(t);
   Show(t - TimeOf(row_));
 }
 
 double CommandedDrive::NextChange() const {
+  double next = NextRow();
+  if (!has_limited_fin_) return next;
+  for (const FinServo& fin : fins_) next = std::min(next, ArrivalOf(fin));
+  return next;
+}
+
+double CommandedDrive::NextRow() const {
   if (row_ + 1 == std::ssize(command_.time)) return std::numeric_limits<double>::infinity();
   return TimeOf(row_ + 1);
 }
 
+double CommandedDrive::ArrivalOf(const FinServo& fin) const {
+  if (!fin.IsLimited() || !fin.slewed.Moves()) return std::numeric_limits<double>::infinity();
+  return TimeOf(row_) + fin.slewed.Needed(fin.rate);
+}
+
 const CoupledDrive& CommandedDrive::At(double t) {
-  if (longest_lag_ > 0.0 && row_ >= 0) Show(t - TimeOf(row_));
+  const bool stays = longest_lag_ <= 0.0 && !has_limited_fin_;
+  if (!stays && row_ >= 0) Show(t - TimeOf(row_));
   return drive_;
 }
 
@@ -111,7 +137,7 @@ double CommandedDrive::LongestStep() const {
     if (lag > 0.0) longest = std::min(longest, std::max(kShareOfLag * lag, kShortestStepOfLag));
   };
   consider(model_.thruster_lag);
-  for (const LaggedFin& fin : fins_) consider(fin.lag);
+  for (const FinServo& fin : fins_) consider(fin.lag);
   return longest;
 }
 
@@ -122,6 +148,25 @@ void CommandedDrive::Next() {
   Ask(held);
 }
 
+void CommandedDrive::SlewTo(std::ptrdiff_t row) {
+  for (std::size_t k = 0; k < fins_.size(); ++k) {
+    FinServo& fin = fins_[k];
+    fin.slewed = {};
+    if (!fin.IsLimited()) continue;
+    for (std::ptrdiff_t i = 0; i <= row; ++i) {
+      const double held = i == 0 ? 0.0 : TimeOf(i) - TimeOf(i - 1);
+      fin.Retarget(command_.fins[k].angle[static_cast<std::size_t>(i)], held);
+    }
+  }
+}
+
+void CommandedDrive::Arrive(double t) {
+  if (!has_limited_fin_) return;
+  for (FinServo& fin : fins_) {
+    if (ArrivalOf(fin) <= t) fin.slewed.Arrive();
+  }
+}
+
 void CommandedDrive::Ask(double held) {
   const auto row = static_cast<std::size_t>(row_);
   tau_.Retarget(AskedForce(command_, row, model_), held, model_.thruster_lag);
@@ -130,7 +175,7 @@ void CommandedDrive::Ask(double held) {
     pushed_[k].Retarget(pushed, held, model_.thruster_lag);
   }
   for (std::size_t k = 0; k < fins_.size(); ++k) {
-    fins_[k].angle.Retarget(command_.fins[k].angle[row], held, fins_[k].lag);
+    fins_[k].Retarget(command_.fins[k].angle[row], held);
     drive_.races[k] = RaceThrust(command_, command_.fins[k], row);
   }
   for (std::size_t k = 0; k < command_.shafts.size(); ++k) {
@@ -142,7 +187,7 @@ void CommandedDrive::Show(double since) {
   const double lag = model_.thruster_lag;
   drive_.tau = tau_.At(since, lag);
   for (std::size_t k = 0; k < fins_.size(); ++k) {
-    drive_.angles[k] = fins_[k].angle.At(since, fins_[k].lag);
+    drive_.angles[k] = fins_[k].At(since);
   }
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     Vector6& by = drive_.tau_by_entry[e];
@@ -172,13 +217,11 @@ void CommandedDrive::ShowAnglesByEntry(double since) {
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const FreeEntry& entry = entries_[e];
     for (std::size_t k = 0; k < fins_.size(); ++k) {
-      const LaggedFin& fin = fins_[k];
-      if (fin.lag <= 0.0) continue;
+      const FinServo& fin = fins_[k];
+      if (fin.IsAtOnce()) continue;
       double& by = drive_.angles_by_entry[e][k];
-      if (entry.kind == FreeEntry::Kind::kTimeOffset) by = -fin.angle.Rate(since, fin.lag);
-      const bool is_its =
-          entry.kind == FreeEntry::Kind::kFinLag && entry.actuator == command_.fins[k].name;
-      if (is_its) by = fin.angle.ByLag(since, fin.lag);
+      if (entry.kind == FreeEntry::Kind::kTimeOffset) by = -fin.Speed(since);
+      if (entry.actuator == command_.fins[k].name) by = fin.By(entry.kind, since);
     }
   }
 }

@@ -83,6 +83,8 @@ CoupledRate::CoupledRate(const CoupledModel& model,
                      value_or_0(model.fin_neutral, fins[k].name)});
     const auto stuck = model.fin_stuck.find(fins[k].name);
     if (stuck != model.fin_stuck.end()) fins_.back().stuck = stuck->second;
+    const auto stall = model.fin_stall.find(fins[k].name);
+    if (stall != model.fin_stall.end()) fins_.back().stall = stall->second;
     fins_.back().shafts = RaceShafts(command, fins[k]);
   }
   for (std::size_t k = 0; k < command.shafts.size(); ++k) {
@@ -145,9 +147,11 @@ FinLoad CoupledRate::LoadOf(const ModelFin& fin,
                             const CoupledDrive& drive) const {
   const double angle = fin.stuck.value_or(drive.angles[fin.at] - fin.neutral);
   const FinArms& arms = command_.fins[fin.at].arms;
-  if (fin.shafts.empty()) return FinLoadAt(arms, nu, angle, fin.race * drive.races[fin.at]);
+  if (fin.shafts.empty()) {
+    return FinLoadAt(arms, nu, angle, fin.race * drive.races[fin.at], fin.stall);
+  }
   const Race race = RaceOf(fin, nu, drive);
-  FinLoad at = FinLoadAt(arms, nu, angle, fin.race * race.value);
+  FinLoad at = FinLoadAt(arms, nu, angle, fin.race * race.value, fin.stall);
   at.load_by_nu += at.load_by_race * fin.race * race.by_nu;
   return at;
 }
@@ -280,6 +284,7 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         force = drive.tau_by_entry[k] + ForceByAngles(k, nu, drive);
         break;
       case FreeEntry::Kind::kFinLag:
+      case FreeEntry::Kind::kFinRateLimit:
         force = ForceByAngles(k, nu, drive);
         break;
       case FreeEntry::Kind::kEffect:
@@ -305,6 +310,12 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         const ModelFin& fin = fins_[fin_of_entry_[k]];
         const FinLoad at = LoadOf(fin, nu, drive);
         force = fin.force * RaceOf(fin, nu, drive).value * at.load_by_race * at.push;
+        break;
+      }
+      case FreeEntry::Kind::kFinStall: {
+        const ModelFin& fin = fins_[fin_of_entry_[k]];
+        const FinLoad at = LoadOf(fin, nu, drive);
+        force = fin.force * at.load_by_stall * at.push;
         break;
       }
       case FreeEntry::Kind::kFinNeutral: {

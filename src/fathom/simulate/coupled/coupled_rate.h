@@ -12,6 +12,7 @@
 #include "fathom/vehicle/coupled/six_vector.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -69,6 +70,7 @@ class CoupledRate {
     std::size_t at = 0;  // in the commands
     double force = 0.0, race = 0.0, neutral = 0.0;
     std::optional<double> stuck = {};
+    double stall = std::numeric_limits<double>::infinity();
     std::vector<std::size_t> shafts = {};  // in whose race it stands
   };
 

@@ -48,6 +48,16 @@ CoupledInputs InputsOf(const CoupledModel& model,
 
 }  // namespace
 
+double RudderRate(const CoupledModel& model,
+                  const std::vector<CommandedFin>& fins,
+                  const ManoeuvreOptions& options) {
+  const auto rudder = RudderOf(fins);
+  if (!rudder) return options.rudder_rate;
+  const auto limit = model.fin_rate_limit.find(fins[*rudder].name);
+  return limit == model.fin_rate_limit.end() ? options.rudder_rate
+                                             : std::min(options.rudder_rate, limit->second);
+}
+
 double UnwrappedHeading(const CoupledState& state, double before) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const Eigen::Vector4d& q = state.attitude;
@@ -73,6 +83,9 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
     return std::ranges::none_of(
         options.shafts, [&](const CommandedShaft& one) { return one.shaft.name == gain.first; });
   });
+  // The rudder's is in the angle of each step; the other fins stay.
+  driven.fin_rate_limit.clear();
+  const double rudder_rate = RudderRate(model, fins, options);
   CoupledState state;
   state.nu[0] = options.ahead;
   ManoeuvreTrack track;
@@ -97,7 +110,7 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
       const bool turns_within = helmsman.NextTime() < t + options.step;
       GearStep gear = TurnRudder(angle,
                                  turns_within ? helmsman.NextOrder() : helmsman.Order(),
-                                 options.rudder_rate,
+                                 rudder_rate,
                                  turns_within ? wait : 0.0,
                                  options.step);
       inputs.command.fins[*rudder].angle = {to_starboard * gear.mean};

@@ -20,7 +20,8 @@ struct ManoeuvreOptions {
   Vector6 force = Vector6::Zero();  // that drives it throughout, of thrusters too [N], [N m]
   double thrust = 0.0;              // of it what makes a race [N]
   std::vector<CommandedShaft> shafts = {};  // beside it, each at one number of turns
-  double rudder_rate = std::numeric_limits<double>::infinity();  // [rad/s], above 0
+  // With which the order to the rudder moves [rad/s], above 0.
+  double rudder_rate = std::numeric_limits<double>::infinity();
   double rudder_delay = 0.0;  // of a zigzag, from the heading's reaching the order to the rudder's
                               // answer [s], at least 0
   double step = 0.1;          // between the samples of the track [s], above 0
@@ -35,6 +36,11 @@ struct ManoeuvreTrack {
   std::vector<CoupledState> state;
   std::vector<SteadyTurn> steady = {};  // of a spiral and a pull-out: one for each order
 };
+
+// The rate with which the rudder turns: that of the order, or what the model limits it to [rad/s].
+double RudderRate(const CoupledModel& model,
+                  const std::vector<CommandedFin>& fins,
+                  const ManoeuvreOptions& options);
 
 // Runs a manoeuvre until its figures are known, with the fin that turns the vehicle most. A stop
 // takes `force` along x astern, without a race, and of shafts the turns by the root of the share.

@@ -24,6 +24,14 @@ Eigen::MatrixXd PartOf(const Matrix6& matrix, const std::vector<Dof>& dofs) {
 
 }  // namespace
 
+std::optional<std::string> FinWithLagAndRateLimit(const CoupledModel& model) {
+  for (const auto& [fin, rate] : model.fin_rate_limit) {
+    const auto lag = model.fin_lag.find(fin);
+    if (lag != model.fin_lag.end() && lag->second > 0.0) return fin;
+  }
+  return std::nullopt;
+}
+
 bool IsPositiveDefinite(const Matrix6& matrix, const std::vector<Dof>& dofs) {
   return Eigen::LLT<Eigen::MatrixXd>(PartOf(matrix, dofs)).info() == Eigen::Success;
 }

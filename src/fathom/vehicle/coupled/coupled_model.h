@@ -7,6 +7,7 @@
 #include "fathom/vehicle/coupled/six_vector.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,14 @@ struct CoupledModel {
   std::map<std::string, double> fin_stuck = {};    // angle of a fin that no command turns [rad]
   std::map<std::string, double> fin_lag = {};      // time constant of a fin's angle [s]; absent: 0
 
+  // How fast the angle of a fin without a lag follows its command at most [rad/s], above 0; absent:
+  // at once.
+  std::map<std::string, double> fin_rate_limit = {};
+
+  // The angle of attack from which a fin's lift grows no more [rad], above 0 and below pi/2;
+  // absent: it grows on.
+  std::map<std::string, double> fin_stall = {};
+
   // Effects along one DOF, coupled_effects.h: the number of each by its name and Index(Dof), 0
   // where it is not there. Those of the thrust are of the forces that are commanded along the DOF.
   std::map<std::string, Vector6> effects = {};
@@ -79,6 +88,9 @@ struct CoupledModel {
 
   bool coriolis = false;
 };
+
+// A fin that has both a lag and a limited rate, which a model does not hold; nothing if none has.
+std::optional<std::string> FinWithLagAndRateLimit(const CoupledModel& model);
 
 // True if the part of `matrix` that these DOFs share is positive definite. Of a model's inertia, or
 // of that less what the rigid body has of it.

@@ -4,10 +4,13 @@
 #pragma once
 
 #include "fathom/vehicle/coupled/six_vector.h"
+#include "fathom/vehicle/coupled/stalled_sine.h"
 #include "fathom/vehicle/fin.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -24,7 +27,8 @@ namespace fathom {
 //   k     `fin_race`; 8 / (pi rho D^2) behind a disc of the diameter D  [m^2/(s^2 N)]
 //   T     the propeller's thrust ahead, at least 0             [N]
 //
-// It fails beyond stall, and in the race while the vehicle moves astern.
+// From an angle of attack, `fin_stall`, on the sine grows no more: stalled_sine.h. It fails deep in
+// stall, without one beyond stall, and in the race while the vehicle moves astern.
 
 // Generalised forces of 1 N at the fin. Times nu they are the fin's own velocity.
 struct FinArms {
@@ -46,7 +50,8 @@ struct FinLoad {
   double load = 0.0;
   Vector6 load_by_nu = Vector6::Zero();
   double load_by_angle = 0.0;
-  double load_by_race = 0.0;       // by k T
+  double load_by_race = 0.0;  // by k T
+  double load_by_stall = 0.0;
   Vector6 push = Vector6::Zero();  // generalised force of a load of 1
   Vector6 push_by_angle = Vector6::Zero();
 
@@ -54,19 +59,32 @@ struct FinLoad {
   Vector6 ForceByAngle() const { return load_by_angle * push + load * push_by_angle; }
 };
 
-// `race`: k T [m^2/s^2]; 0 outside of one.
-inline FinLoad FinLoadAt(const FinArms& arms, const Vector6& nu, double angle, double race = 0.0) {
+// `race`: k T [m^2/s^2]; 0 outside of one. `stall`: the angle of attack [rad] at which it stalls,
+// below pi/2; infinite, or beyond: it does not.
+inline FinLoad FinLoadAt(const FinArms& arms,
+                         const Vector6& nu,
+                         double angle,
+                         double race = 0.0,
+                         double stall = std::numeric_limits<double>::infinity()) {
   const double sine = std::sin(angle), cosine = std::cos(angle);
   const double u = arms.along.dot(nu), w = arms.across.dot(nu);
   const bool is_in_race = race != 0.0;
   const double ahead = is_in_race ? std::sqrt(std::max(u * u + race, 1e-9)) : u;
   const double ahead_by_u = is_in_race ? u / ahead : 1.0;
   const double speed = std::hypot(ahead, w), turned = ahead * sine - w * cosine;
-  const double by_ahead = speed > 0.0 ? ahead / speed * turned + speed * sine : 0.0;
-  const double by_w = speed > 0.0 ? w / speed * turned - speed * cosine : 0.0;
   FinLoad at;
   at.load = speed * turned;
-  at.load_by_angle = speed * (ahead * cosine + w * sine);
+  double by_speed = turned, by_turned = speed;
+  if (stall < 0.5 * std::numbers::pi && speed > 0.0) {
+    const StalledSine kept = StalledSineOf(turned / speed, std::sin(stall));
+    at.load = speed * speed * kept.value;
+    at.load_by_stall = speed * speed * kept.by_limit * std::cos(stall);
+    by_speed = 2.0 * speed * kept.value - kept.by_sine * turned;
+    by_turned = kept.by_sine * speed;
+  }
+  const double by_ahead = speed > 0.0 ? ahead / speed * by_speed + by_turned * sine : 0.0;
+  const double by_w = speed > 0.0 ? w / speed * by_speed - by_turned * cosine : 0.0;
+  at.load_by_angle = by_turned * (ahead * cosine + w * sine);
   at.load_by_nu = by_ahead * ahead_by_u * arms.along + by_w * arms.across;
   at.load_by_race = 0.5 * by_ahead / (is_in_race || u == 0.0 ? std::max(ahead, 1e-6) : std::abs(u));
   at.push = cosine * arms.across - sine * arms.along;

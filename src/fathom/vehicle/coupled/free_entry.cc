@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -21,12 +22,14 @@ namespace {
 
 using EntryKind = FreeEntry::Kind;
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 struct NamedKind {
   EntryKind kind;
   std::string_view name;
 };
 
-constexpr std::array<NamedKind, 16> kNamedKinds = {{
+constexpr std::array<NamedKind, 18> kNamedKinds = {{
     {EntryKind::kInertia, "inertia"},
     {EntryKind::kLinearDamping, "linear_damping"},
     {EntryKind::kQuadraticDamping, "quadratic_damping"},
@@ -43,6 +46,8 @@ constexpr std::array<NamedKind, 16> kNamedKinds = {{
     {EntryKind::kFinNeutral, "fin_neutral"},
     {EntryKind::kFinStuck, "fin_stuck"},
     {EntryKind::kFinLag, "fin_lag"},
+    {EntryKind::kFinRateLimit, "fin_rate_limit"},
+    {EntryKind::kFinStall, "fin_stall"},
 }};
 
 std::string_view NameOfKind(EntryKind kind) {
@@ -145,6 +150,10 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
       return &model->fin_stuck.try_emplace(entry.actuator, 0.0).first->second;
     case EntryKind::kFinLag:
       return &model->fin_lag.try_emplace(entry.actuator, 0.0).first->second;
+    case EntryKind::kFinRateLimit:
+      return &model->fin_rate_limit.try_emplace(entry.actuator, kInfinite).first->second;
+    case EntryKind::kFinStall:
+      return &model->fin_stall.try_emplace(entry.actuator, kInfinite).first->second;
     case EntryKind::kEffect: {
       const std::string name(entry.effect->info().name);
       return &model->effects.try_emplace(name, Vector6::Zero()).first->second[Index(entry.row)];
@@ -199,6 +208,12 @@ FreeEntry FinLagEntry(const std::string& fin) {
 FreeEntry CurrentEntry(Dof axis, const std::string& log) {
   return {EntryKind::kCurrent, axis, axis, log};
 }
+FreeEntry FinRateLimitEntry(const std::string& fin) {
+  return {EntryKind::kFinRateLimit, Dof::kSurge, Dof::kSurge, fin};
+}
+FreeEntry FinStallEntry(const std::string& fin) {
+  return {EntryKind::kFinStall, Dof::kSurge, Dof::kSurge, fin};
+}
 FreeEntry EffectEntry(const Effect& effect, Dof row) {
   return {EntryKind::kEffect, row, row, {}, &effect};
 }
@@ -210,6 +225,7 @@ bool IsOfActuator(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrustGain || entry.kind == EntryKind::kFinForce ||
          entry.kind == EntryKind::kFinRace || entry.kind == EntryKind::kFinNeutral ||
          entry.kind == EntryKind::kFinStuck || entry.kind == EntryKind::kFinLag ||
+         entry.kind == EntryKind::kFinRateLimit || entry.kind == EntryKind::kFinStall ||
          entry.kind == EntryKind::kTimeOffset || entry.kind == EntryKind::kThrusterLag ||
          entry.kind == EntryKind::kThrusterEffect || IsOfRun(entry);
 }
@@ -220,22 +236,29 @@ bool IsLag(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kFinLag;
 }
 
+bool IsLimit(const FreeEntry& entry) {
+  return entry.kind == EntryKind::kFinRateLimit || entry.kind == EntryKind::kFinStall;
+}
+
 bool IsEffect(const FreeEntry& entry) { return entry.effect != nullptr; }
 
 bool IsPositive(const FreeEntry& entry) {
-  return IsLag(entry) || (IsEffect(entry) && entry.effect->info().parameters.front().lower == 0.0);
+  return IsLag(entry) || IsLimit(entry) ||
+         (IsEffect(entry) && entry.effect->info().parameters.front().lower == 0.0);
 }
 
 double LowerBoundOf(const FreeEntry& entry) {
   const bool is_of_body = entry.kind == EntryKind::kInertia ||
                           entry.kind == EntryKind::kLinearDamping ||
                           entry.kind == EntryKind::kQuadraticDamping;
-  if ((is_of_body && entry.row == entry.column) || IsLag(entry)) return 0.0;
+  if ((is_of_body && entry.row == entry.column) || IsPositive(entry)) return 0.0;
   if (IsEffect(entry)) return entry.effect->info().parameters.front().lower;
-  return -std::numeric_limits<double>::infinity();
+  return -kInfinite;
 }
 
 bool MayBe(const FreeEntry& entry, double value) {
+  if (entry.kind == EntryKind::kFinStall) return value > 0.0 && value < 0.5 * std::numbers::pi;
+  if (IsLimit(entry)) return value > 0.0;
   if (!IsEffect(entry)) return true;
   const EffectParameter& parameter = entry.effect->info().parameters.front();
   return value >= parameter.lower && value <= parameter.upper;
@@ -288,9 +311,9 @@ FreeEntry ParseFreeEntry(std::string_view name) {
     RefuseEntry(name,
                 "inertia, linear_damping, quadratic_damping, righting_moment, net_buoyancy, "
                 "offset, thrust_gain, thrust_angle, time_offset, thruster_lag, lift, fin_force, "
-                "fin_race, fin_neutral, fin_stuck, fin_lag, damping_asymmetry, cubic_damping, "
-                "coulomb_friction, thrust_dead_zone, thrust_asymmetry or current, a dot, and what "
-                "it belongs to");
+                "fin_race, fin_neutral, fin_stuck, fin_lag, fin_rate_limit, fin_stall, "
+                "damping_asymmetry, cubic_damping, coulomb_friction, thrust_dead_zone, "
+                "thrust_asymmetry or current, a dot, and what it belongs to");
   }
   const EntryKind kind = found->kind;
   if (IsOneOfModel(kind)) {
@@ -349,6 +372,7 @@ std::string SiUnitOf(const FreeEntry& entry) {
     case EntryKind::kThrustAngle:
     case EntryKind::kFinNeutral:
     case EntryKind::kFinStuck:
+    case EntryKind::kFinStall:
       return "rad";
     case EntryKind::kTimeOffset:
     case EntryKind::kThrusterLag:
@@ -356,6 +380,8 @@ std::string SiUnitOf(const FreeEntry& entry) {
       return "s";
     case EntryKind::kCurrent:
       return "m/s";
+    case EntryKind::kFinRateLimit:
+      return "rad/s";
     case EntryKind::kEffect:
     case EntryKind::kThrusterEffect:
       break;  // UnitOf() below
@@ -372,8 +398,8 @@ std::string UnitOf(const FreeEntry& entry, const std::string& force_unit) {
         quantity, entry.row, force_unit == "N" ? std::string(ForceUnit(entry.row)) : force_unit);
   }
   const std::string unit = SiUnitOf(entry);
-  const bool has_force = unit != "1" && unit != "rad" && unit != "s" && unit != "m/s" &&
-                         entry.kind != EntryKind::kFinRace;
+  const bool has_force = unit != "1" && unit != "rad" && unit != "s" && unit != "rad/s" &&
+                         unit != "m/s" && entry.kind != EntryKind::kFinRace;
   if (force_unit == "N" || !has_force) return unit;
   return fmt::format("{} {}/N", unit, force_unit);
 }
@@ -422,6 +448,8 @@ std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
   for (const auto& [log, current] : model.current) {
     for (const Dof axis : {Dof::kSurge, Dof::kSway}) add(CurrentEntry(axis, log), 0.0);
   }
+  for (const auto& [fin, rate] : model.fin_rate_limit) add(FinRateLimitEntry(fin), kInfinite);
+  for (const auto& [fin, angle] : model.fin_stall) add(FinStallEntry(fin), kInfinite);
   return entries;
 }
 

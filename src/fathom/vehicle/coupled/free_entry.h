@@ -33,6 +33,8 @@ namespace fathom {
 //   fin_neutral.rudder            the angle at which it is straight
 //   fin_stuck.rudder              the angle that it has whatever is commanded
 //   fin_lag.rudder                time constant with which its angle follows the command
+//   fin_rate_limit.rudder         how fast its angle follows the command at most
+//   fin_stall.rudder              the angle of attack from which its lift grows no more
 //   coulomb_friction.surge        an effect along a DOF, coupled_effects.h
 //   thrust_dead_zone              one of the thrust of every thruster
 //   current.north.dive_3          along x of the world, in the log `dive_3`; current.east.dive_3
@@ -54,6 +56,8 @@ struct FreeEntry {
     kFinNeutral,
     kFinStuck,
     kFinLag,
+    kFinRateLimit,
+    kFinStall,
     kEffect,
     kThrusterEffect,
     kCurrent,  // row: surge for north, sway for east
@@ -86,6 +90,8 @@ FreeEntry FinNeutralEntry(const std::string& fin);
 FreeEntry FinStuckEntry(const std::string& fin);
 FreeEntry FinLagEntry(const std::string& fin);
 FreeEntry CurrentEntry(Dof axis, const std::string& log);
+FreeEntry FinRateLimitEntry(const std::string& fin);
+FreeEntry FinStallEntry(const std::string& fin);
 FreeEntry EffectEntry(const Effect& effect, Dof row);
 FreeEntry ThrusterEffectEntry(const Effect& effect);
 
@@ -99,7 +105,12 @@ bool IsLag(const FreeEntry& entry);
 // Whether it holds in one log alone.
 bool IsOfRun(const FreeEntry& entry);
 
-// Whether it is above 0 in every model: a time constant, or an effect that takes energy or thrust.
+// Whether it is a bound, above 0, which is infinite where it is not there: of a fin's rate or of
+// its angle of attack.
+bool IsLimit(const FreeEntry& entry);
+
+// Whether it is above 0 in every model: a time constant, a bound, or an effect that takes energy or
+// thrust.
 bool IsPositive(const FreeEntry& entry);
 
 // Whether it is an effect of the catalogue.
@@ -109,6 +120,8 @@ bool IsEffect(const FreeEntry& entry);
 double LowerBoundOf(const FreeEntry& entry);
 
 // Whether a model of a body may hold it at this value: a friction is no drive.
+// Whether a model of a body may hold it at this value: a friction is no drive, a bound is above 0,
+// and a fin has stalled at a right angle.
 bool MayBe(const FreeEntry& entry, double value);
 
 // Whether it says how late a command acts: an offset or a lag.
@@ -124,12 +137,12 @@ std::string NameOf(const FreeEntry& entry);
 // entry of a coupled model: ...". A thruster or a fin may have any name.
 FreeEntry ParseFreeEntry(std::string_view name);
 
-// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's angles, "s" of a lag. Of commands in another
-// unit than N and N m, "kg A/N".
+// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's angles, "rad/s" of its rate, "s" of a lag. Of
+// commands in another unit than N and N m, "kg A/N".
 std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
 
-// Those that the model holds beside its nulls: 1 of a thrust gain, 0 of any other. Of a stuck fin
-// every angle counts.
+// Those that the model holds beside its nulls: 1 of a thrust gain, infinite of a bound, 0 of any
+// other. Of a stuck fin every angle counts.
 std::vector<FreeEntry> EntriesIn(const CoupledModel& model);
 
 double ValueIn(const CoupledModel& model, const FreeEntry& entry);

@@ -232,6 +232,10 @@ FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view t
   if (!IsPositiveDefinite(fitted.model.inertia, fitted.model.dofs)) {
     parameters.Fail("hold an inertia that is not positive definite");
   }
+  if (const auto fin = FinWithLagAndRateLimit(fitted.model)) {
+    parameters.Fail(fmt::format(
+        "and 'held' give fin {} both a fin_lag and a fin_rate_limit, expected one of them", *fin));
+  }
   fitted.covariance = ReadCovariance(file.Member("covariance"), fitted.entries.size());
   fitted.horizon = file.NumberIfThere("horizon");
   if (const auto fit = file.MemberIfThere("fit")) {

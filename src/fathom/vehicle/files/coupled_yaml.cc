@@ -157,6 +157,25 @@ void RequireLags(const YamlMap& map, const CoupledModel& model) {
   }
 }
 
+void RequireLimits(const YamlMap& map, const CoupledModel& model) {
+  for (const auto& [fin, rate] : model.fin_rate_limit) {
+    if (MayBe(FinRateLimitEntry(fin), rate)) continue;
+    map.Fail("fin_rate_limit",
+             fmt::format("of {} is {} rad/s, expected a rate above 0 rad/s.", fin, rate));
+  }
+  for (const auto& [fin, angle] : model.fin_stall) {
+    if (MayBe(FinStallEntry(fin), angle)) continue;
+    map.Fail("fin_stall",
+             fmt::format("of {} is {} rad, expected an angle of attack above 0 and below pi/2 rad.",
+                         fin,
+                         angle));
+  }
+  if (const auto fin = FinWithLagAndRateLimit(model)) {
+    map.Fail("fin_rate_limit",
+             fmt::format("of {} stands beside its 'fin_lag', expected one of them.", *fin));
+  }
+}
+
 // Those of the vehicle file's area and lift slope, unless the model says otherwise.
 std::map<std::string, double> FinForces(const YamlMap& map, const std::vector<Fin>& fins) {
   std::map<std::string, double> forces = ByName(map, "fin_force", fins, "fin");
@@ -226,7 +245,10 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   model.fin_neutral = ByName(map, "fin_neutral", fins, "fin");
   model.fin_stuck = ByName(map, "fin_stuck", fins, "fin");
   model.fin_lag = ByName(map, "fin_lag", fins, "fin");
+  model.fin_rate_limit = ByName(map, "fin_rate_limit", fins, "fin");
+  model.fin_stall = ByName(map, "fin_stall", fins, "fin");
   RequireLags(map, model);
+  RequireLimits(map, model);
   ReadEffects(map, &model);
   return model;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -291,13 +292,27 @@ CoupledInputs FinnedSteps(int num_steps) {
   return inputs;
 }
 
-// docs/fins.md (1) by angles and a rotated normal, and the lift, of a row of FinnedSteps().
-Vector6 PlainFins(const CoupledInputs& inputs, std::size_t row, const Vector6& nu) {
+// docs/fins.md (3) as the integral of its slope: 1, then down to 0 over a fifth of the limit.
+double PlainStalled(double sine, double limit) {
+  const double in_bend = std::clamp(std::abs(sine) - 0.9 * limit, 0.0, 0.2 * limit);
+  const double size =
+      std::min(std::abs(sine), 0.9 * limit) + in_bend * (1.0 - 0.5 * in_bend / (0.2 * limit));
+  return std::copysign(size, sine);
+}
+
+// docs/fins.md (1) by angles and a rotated normal, and the lift, of a row of FinnedSteps(). All
+// fins stall at `stall` [rad].
+Vector6 PlainFins(const CoupledInputs& inputs,
+                  std::size_t row,
+                  const Vector6& nu,
+                  std::optional<double> stall = {}) {
   const auto of = [&](const Fin& fin, double f, double angle, double race) {
     const Eigen::Vector3d v = nu.head<3>() + Eigen::Vector3d(nu.tail<3>()).cross(fin.position);
     const Eigen::Vector3d across = fin.axis.cross(Eigen::Vector3d::UnitX());
     const double w = v.dot(across), s = race > 0.0 ? std::sqrt(v.x() * v.x() + race) : v.x();
-    const double load = f * (s * s + w * w) * std::sin(angle - std::atan2(w, s));
+    double sine = std::sin(angle - std::atan2(w, s));
+    if (stall) sine = PlainStalled(sine, std::sin(*stall));
+    const double load = f * (s * s + w * w) * sine;
     const Eigen::Vector3d force = load * (Eigen::AngleAxisd(angle, fin.axis) * across);
     Vector6 all;
     all << force, fin.position.cross(force);
@@ -328,6 +343,111 @@ TEST(RunCoupled, GoesWithFinsAsASecondSimulatorDoes) {
     plain.Advance(ForceOf(model, inputs, k), 2.0, 2e-4);
     EXPECT_LT((outputs.velocity[k] - plain.nu).norm(), 5e-5) << k;
   }
+}
+
+// The angle that a fin comes to within a time, by a rate.
+double Turned(double from, double towards, double most) {
+  return from + std::clamp(towards - from, -most, most);
+}
+
+TEST(RunCoupled, GoesWithFinsOfALimitedRateAsASecondSimulatorDoes) {
+  CoupledModel model = FinnedRov();
+  model.fin_rate_limit = {{"rudder", 0.23}, {"plane", 0.4}};
+  const CoupledInputs inputs = FinnedSteps(8);
+  CoupledStamps stamps;
+  for (int k = 0; k < 8; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, Moving(), stamps, &outputs));
+  PlainSimulator plain(Rov());
+  plain.nu = Moving().nu;
+  plain.world_from_body = Eigen::Quaterniond(Moving().attitude).toRotationMatrix();
+  constexpr double kStep = 5e-4;
+  CoupledInputs turned = inputs;
+  double rudder = 0.0, plane = 0.0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    plain.more = [&](const Vector6& nu) { return PlainFins(turned, k, nu); };
+    for (int i = 0; i < 4000; ++i) {
+      const double to_rudder = inputs.command.fins[0].angle[k];
+      const double to_plane = inputs.command.fins[1].angle[k];
+      turned.command.fins[0].angle[k] = Turned(rudder, to_rudder, 0.5 * kStep * 0.23);
+      turned.command.fins[1].angle[k] = Turned(plane, to_plane, 0.5 * kStep * 0.4);
+      rudder = Turned(rudder, to_rudder, kStep * 0.23);
+      plane = Turned(plane, to_plane, kStep * 0.4);
+      plain.Advance(ForceOf(model, inputs, k), kStep, kStep);
+    }
+    EXPECT_LT((outputs.velocity[k] - plain.nu).norm(), 5e-5) << k;
+  }
+}
+
+TEST(RunCoupled, GoesWithFinsThatStallAsASecondSimulatorDoes) {
+  CoupledModel model = FinnedRov();
+  model.fin_stall = {{"rudder", 0.2}, {"plane", 0.2}, {"stuck", 0.2}};
+  const CoupledInputs inputs = FinnedSteps(8);
+  CoupledStamps stamps;
+  for (int k = 0; k < 8; ++k) stamps.velocity.push_back(2.0 * k + 2.0);
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, Moving(), stamps, &outputs));
+  PlainSimulator plain(Rov());
+  plain.nu = Moving().nu;
+  plain.world_from_body = Eigen::Quaterniond(Moving().attitude).toRotationMatrix();
+  for (std::size_t k = 0; k < 8; ++k) {
+    plain.more = [&](const Vector6& nu) { return PlainFins(inputs, k, nu, 0.2); };
+    plain.Advance(ForceOf(model, inputs, k), 2.0, 2e-4);
+    EXPECT_LT((outputs.velocity[k] - plain.nu).norm(), 1e-4) << k;
+  }
+}
+
+// A light fin below a heavy sled that is towed at 1 m/s, turned to 0.3 rad at 0.2 rad/s from 1 s
+// on: m dv/dt = f sin(angle) cos(angle), so that v = f / (4 m r) (1 - cos(2 r t)) on the way, and
+// its derivative by r.
+TEST(RunCoupled, TurnsAFinAtItsLimitedRate) {
+  CoupledModel model;
+  model.dofs = {Dof::kSway};
+  model.inertia(1, 1) = 2000.0;
+  model.fin_force = {{"keel", 1.0}};
+  model.fin_rate_limit = {{"keel", 0.2}};
+  Fin keel;
+  keel.name = "keel";
+  CoupledInputs inputs;
+  inputs.measured[0] = {{0.0}, {1.0}};
+  inputs.command.time = {1.0};
+  inputs.command.fins = {{"keel", ArmsOf(keel), {0.3}}};
+  CoupledStamps stamps;
+  stamps.velocity = {0.9, 1.7, 2.5, 4.0};
+  CoupledOutputs outputs;
+  const std::vector<FreeEntry> rate = {FinRateLimitEntry("keel")};
+  ASSERT_TRUE(RunCoupledWithSensitivities(model, rate, inputs, {}, stamps, &outputs));
+  const auto speed = [](double t, double r) {
+    const double turns = std::min(t, 0.3 / r);
+    const double on_the_way = (1.0 - std::cos(2.0 * r * turns)) / (8000.0 * r);
+    return on_the_way + (t - turns) * 0.5 * std::sin(0.6) / 2000.0;
+  };
+  EXPECT_EQ(outputs.velocity[0][1], 0.0);
+  for (std::size_t k = 1; k < 4; ++k) {
+    const double t = stamps.velocity[k] - 1.0;
+    const double by_rate = (speed(t, 0.2001) - speed(t, 0.1999)) / 0.0002;
+    // The fin's own drift is below 1e-3 of the speed that turns it.
+    EXPECT_NEAR(outputs.velocity[k][1], speed(t, 0.2), 2e-3 * speed(t, 0.2));
+    EXPECT_NEAR(outputs.velocity_sensitivity(6 * static_cast<Eigen::Index>(k) + 1, 0),
+                by_rate,
+                2e-3 * by_rate);
+  }
+}
+
+// What was asked for before the start has turned the fin half way.
+TEST(RunCoupled, BeginsWhileAFinTurns) {
+  CoupledModel model = FinnedRov();
+  model.fin_rate_limit = {{"rudder", 0.05}};
+  const CoupledInputs inputs = FinnedSteps(5);
+  CoupledStamps whole;
+  whole.velocity = whole.pose = {4.7, 9.0};
+  CoupledOutputs outputs, again;
+  ASSERT_TRUE(RunCoupled(model, inputs, Moving(), whole, &outputs));
+  CoupledStamps rest;
+  rest.start = 4.7;
+  rest.velocity = {9.0};
+  ASSERT_TRUE(RunCoupled(model, inputs, outputs.pose[0], rest, &again));
+  EXPECT_LT((again.velocity[0] - outputs.velocity[1]).norm(), 1e-6);
 }
 
 // A shaft off the centre line, of which the model knows 0.7 of the thrust. The rudder stands in its
@@ -545,11 +665,13 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
   structure.entries.push_back(FinRaceEntry("rudder"));
   structure.entries.push_back(FinNeutralEntry("rudder"));
   structure.entries.push_back(FinStuckEntry("stuck"));
-  structure.entries.push_back(TimeOffsetEntry());
+  // An offset moves the steps, whose errors where the slope of a stall bends its differences would
+  // hold; in steps of 2 ms they agree.
+  if (model.fin_stall.empty()) structure.entries.push_back(TimeOffsetEntry());
   if (model.thruster_lag > 0.0) structure.entries.push_back(ThrusterLagEntry());
   for (const auto& [fin, lag] : model.fin_lag) structure.entries.push_back(FinLagEntry(fin));
   for (const FreeEntry& entry : EntriesIn(model)) {
-    if (IsEffect(entry) || IsOfRun(entry)) structure.entries.push_back(entry);
+    if (IsEffect(entry) || IsLimit(entry) || IsOfRun(entry)) structure.entries.push_back(entry);
   }
   CoupledStamps stamps;
   stamps.start = 0.1;  // at no change of the command, which an offset moves in or out
@@ -584,9 +706,11 @@ void ExpectDerivativesOfDifferences(const CoupledModel& model, const CoupledInpu
     const std::string name = column < static_cast<int>(structure.entries.size())
                                  ? NameOf(structure.entries[static_cast<std::size_t>(column)])
                                  : std::to_string(column);
-    // An offset moves the steps of integration too, whose errors its differences hold.
-    const bool is_offset = name == "time_offset";
-    const double kStep = is_offset ? 4e-3 : 1e-5, kClose = is_offset ? 5e-4 : 1e-4;
+    // An offset and a limited rate move the steps of integration too, whose errors their
+    // differences hold.
+    const bool is_offset = name == "time_offset", is_rate = name.starts_with("fin_rate_limit");
+    const double kStep = is_offset ? 4e-3 : is_rate ? 2e-3 : 1e-5;
+    const double kClose = is_offset || is_rate ? 5e-4 : 1e-4;
     const CoupledOutputs above = run(kStep), below = run(-kStep);
     for (std::size_t k = 0; k < stamps.velocity.size(); ++k) {
       const auto row = 6 * static_cast<Eigen::Index>(k);
@@ -625,6 +749,19 @@ TEST(RunCoupledWithSensitivities, HasThemInACurrent) {
   CoupledModel model = FinnedRov();
   model.current = {{"dive", {0.3, -0.2}}};
   ExpectDerivativesOfDifferences(model, inputs);
+}
+
+// One that turns all the time, and one that arrives.
+TEST(RunCoupledWithSensitivities, HasThemWithLimitedRates) {
+  CoupledModel limited = FinnedRov();
+  limited.fin_rate_limit = {{"rudder", 0.17}, {"plane", 0.6}};
+  ExpectDerivativesOfDifferences(limited, FinnedSteps(5));
+}
+
+TEST(RunCoupledWithSensitivities, HasThemWithStall) {
+  CoupledModel stalled = FinnedRov();
+  stalled.fin_stall = {{"rudder", 0.3}, {"plane", 0.2}, {"stuck", 0.15}};
+  ExpectDerivativesOfDifferences(stalled, FinnedSteps(5));
 }
 
 TEST(RunCoupledWithSensitivities, HasThemWithEffects) {

@@ -91,6 +91,21 @@ TEST(RunManoeuvre, OvershootsAsNomotosEquationDoes) {
               0.1 * r1 + 0.01 * overshoot);
 }
 
+// As one whose orders move no faster.
+TEST(RunManoeuvre, TurnsTheRudderAtTheRateThatTheModelLimitsItTo) {
+  const Manoeuvre zigzag = ParseManoeuvre("zigzag:20/10");
+  CoupledModel limited = YawOnly();
+  limited.fin_rate_limit = {{"rudder", 0.04}};
+  ManoeuvreOptions slow;
+  slow.rudder_rate = 0.04;
+  const auto track = RunManoeuvre(limited, OneRudder(), zigzag, {});
+  const auto expected = RunManoeuvre(YawOnly(), OneRudder(), zigzag, slow);
+  ASSERT_TRUE(track && expected);
+  EXPECT_EQ(track->angle, expected->angle);
+  EXPECT_EQ(track->heading, expected->heading);
+  EXPECT_EQ(RudderRate(limited, OneRudder(), {}), 0.04);
+}
+
 // To starboard, on a circle whose radius the track itself shows.
 TEST(RunManoeuvre, TurnsOnACircle) {
   CoupledModel model = YawOnly();

@@ -6,6 +6,7 @@
 #include "fathom/vehicle/parameters.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "error_from.h"
@@ -34,6 +35,8 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "fin_neutral.rudder",
                                  "fin_stuck.rudder",
                                  "fin_lag.rudder",
+                                 "fin_rate_limit.rudder",
+                                 "fin_stall.rudder",
                                  "time_offset",
                                  "thruster_lag",
                                  "damping_asymmetry.surge",
@@ -77,6 +80,19 @@ TEST(FreeEntry, OfAThrusterThatIsNotNamedIsOne) {
   EXPECT_EQ(ValueIn({}, ThrustGainEntry("port")), 1.0);
 }
 
+// A model that holds none has no entry of it.
+TEST(FreeEntry, OfABoundThatIsNotThereIsInfinite) {
+  CoupledModel model;
+  const FreeEntry rate = FinRateLimitEntry("rudder");
+  EXPECT_EQ(ValueIn(model, rate), std::numeric_limits<double>::infinity());
+  SetValue(rate, ValueIn(model, rate), &model);
+  EXPECT_EQ(EntriesIn(model).size(), 0u);
+  SetValue(rate, 0.3, &model);
+  ASSERT_EQ(EntriesIn(model).size(), 1u);
+  EXPECT_EQ(EntriesIn(model)[0], rate);
+  EXPECT_FALSE(MayBe(rate, 0.0));
+}
+
 // Forces in N, moments in N m.
 TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.surge")), "kg");
@@ -85,6 +101,8 @@ TEST(FreeEntry, HasTheUnitOfItsRowAndColumn) {
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_force.rudder")), "kg/m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_neutral.rudder"), "A"), "rad");
   EXPECT_EQ(UnitOf(ParseFreeEntry("fin_stuck.rudder"), "A"), "rad");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_stall.rudder"), "A"), "rad");
+  EXPECT_EQ(UnitOf(ParseFreeEntry("fin_rate_limit.rudder"), "A"), "rad/s");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.sway.yaw")), "kg m");
   EXPECT_EQ(UnitOf(ParseFreeEntry("inertia.yaw")), "kg m^2");
   EXPECT_EQ(UnitOf(ParseFreeEntry("net_buoyancy")), "N");

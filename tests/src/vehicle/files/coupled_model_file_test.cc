@@ -113,6 +113,31 @@ TEST(CoupledModelFile, RefusesALagBelow0) {
       "m.json: 'parameters.fin_lag.rudder' is -0.2 s, expected a time constant of at least 0 s.");
 }
 
+TEST(CoupledModelFile, HoldsTheLimitedRateOfAFin) {
+  FittedCoupledModel boat = Boat();
+  boat.model.fin_rate_limit["rudder"] = 0.3;
+  boat.entries.back() = FinRateLimitEntry("rudder");
+  const std::string text = FormatCoupledModel(boat);
+  EXPECT_EQ(ParseCoupledModel("m.json", text).model.fin_rate_limit, boat.model.fin_rate_limit);
+  EXPECT_EQ(MessageOf(Replaced(text, "\"held\": {", "\"held\": {\"fin_lag.rudder\": 0.2,")),
+            "m.json: 'parameters' and 'held' give fin rudder both a fin_lag and a fin_rate_limit, "
+            "expected one of them.");
+  boat.model.fin_rate_limit["rudder"] = -0.3;
+  EXPECT_EQ(
+      MessageOf(FormatCoupledModel(boat)),
+      "m.json: 'parameters.fin_rate_limit.rudder' is -0.3, which fin_rate_limit.rudder cannot "
+      "be.");
+}
+
+TEST(CoupledModelFile, HoldsTheStallOfAFin) {
+  FittedCoupledModel boat = Boat();
+  boat.model.fin_stall["rudder"] = 0.3;
+  const std::string text = FormatCoupledModel(boat);
+  EXPECT_EQ(ParseCoupledModel("m.json", text).model.fin_stall, boat.model.fin_stall);
+  EXPECT_EQ(MessageOf(Replaced(text, "\"fin_stall.rudder\": 0.3", "\"fin_stall.rudder\": 1.6")),
+            "m.json: 'held.fin_stall.rudder' is 1.6, which fin_stall.rudder cannot be.");
+}
+
 TEST(CoupledModelFile, KnowsOtherFiles) {
   EXPECT_FALSE(IsCoupledModel("{\"schema\": \"fathom-model-1\"}"));
   EXPECT_FALSE(IsCoupledModel("no JSON"));

@@ -114,6 +114,29 @@ TEST(CoupledYaml, ReadsEffectsByTheNamesOfTheirEntries) {
               HasSubstr("coulomb_friction.yaw' is -0.4, expected 0 to inf"));
 }
 
+TEST(CoupledYaml, ReadsTheLimitedRateOfAFin) {
+  const std::string hull = std::string(kHull) + kModel;
+  const CoupledModel model =
+      *ParseVehicleFile("v.yaml", hull + "  fin_rate_limit: {rudder: 0.1}\n").coupled;
+  EXPECT_EQ(model.fin_rate_limit.at("rudder"), 0.1);
+  EXPECT_THAT(ErrorOf(hull + "  fin_rate_limit: {rudder: 0}\n"),
+              HasSubstr("key 'coupled_model.fin_rate_limit' of rudder is 0 rad/s, expected a rate "
+                        "above 0 rad/s."));
+  EXPECT_THAT(ErrorOf(hull + "  fin_lag: {rudder: 1}\n  fin_rate_limit: {rudder: 0.1}\n"),
+              HasSubstr("key 'coupled_model.fin_rate_limit' of rudder stands beside its 'fin_lag', "
+                        "expected one of them."));
+}
+
+TEST(CoupledYaml, ReadsTheAngleOfAttackAtWhichAFinStalls) {
+  const std::string hull = std::string(kHull) + kModel;
+  const CoupledModel model =
+      *ParseVehicleFile("v.yaml", hull + "  fin_stall: {rudder: 0.3}\n").coupled;
+  EXPECT_EQ(model.fin_stall.at("rudder"), 0.3);
+  EXPECT_THAT(ErrorOf(hull + "  fin_stall: {rudder: 17}\n"),
+              HasSubstr("key 'coupled_model.fin_stall' of rudder is 17 rad, expected an angle of "
+                        "attack above 0 and below pi/2 rad."));
+}
+
 TEST(CoupledYaml, RefusesAMatrixOfAnotherShape) {
   const std::string hull = kHull;
   EXPECT_THAT(ErrorOf(hull + "coupled_model:\n  inertia: [1, 2, 3]\n"),
