@@ -119,7 +119,6 @@ bool IsEffect(const FreeEntry& entry);
 // The least that it is in a model of a body; minus infinity of a coupling.
 double LowerBoundOf(const FreeEntry& entry);
 
-// Whether a model of a body may hold it at this value: a friction is no drive.
 // Whether a model of a body may hold it at this value: a friction is no drive, a bound is above 0,
 // and a fin has stalled at a right angle.
 bool MayBe(const FreeEntry& entry, double value);

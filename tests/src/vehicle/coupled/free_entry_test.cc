@@ -127,6 +127,7 @@ TEST(FreeEntry, OfAnEffectTakesEnergyOrThrust) {
 TEST(FreeEntry, OfABodyHasABound) {
   EXPECT_EQ(LowerBoundOf(ParseFreeEntry("linear_damping.sway")), 0.0);
   EXPECT_EQ(LowerBoundOf(ParseFreeEntry("thruster_lag")), 0.0);
+  EXPECT_EQ(LowerBoundOf(ParseFreeEntry("fin_rate_limit.rudder")), 0.0);
   EXPECT_EQ(LowerBoundOf(ParseFreeEntry("damping_asymmetry.surge")), -1.0);
   EXPECT_EQ(LowerBoundOf(ParseFreeEntry("linear_damping.sway.yaw")), -INFINITY);
 }
