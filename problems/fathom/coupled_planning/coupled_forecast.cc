@@ -39,9 +39,10 @@ Eigen::VectorXd StdsAlone(const Eigen::MatrixXd& information,
   return stds;
 }
 
-double MedianAt(const std::vector<Eigen::VectorXd>& stds, Eigen::Index at) {
+template <typename Numbers, typename Place>
+double MedianAt(const std::vector<Numbers>& of_models, Place at) {
   std::vector<double> values;
-  for (const Eigen::VectorXd& of_model : stds) values.push_back(of_model[at]);
+  for (const Numbers& of_model : of_models) values.push_back(of_model[at]);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -95,6 +96,34 @@ void ForecastEntries(std::span<const CoupledModel> models,
                                 MedianAt(after, at),
                                 MedianAt(both, at),
                                 MedianAt(sine, at)});
+  }
+}
+
+void ForecastSeparations(std::span<const CoupledModel> models,
+                         const std::vector<EntryRival>& rivals,
+                         const ToldEntries& told,
+                         const WrenchMeasurement& measurement,
+                         CoupledPlan* plan) {
+  const auto num_of_model = static_cast<Eigen::Index>(told.entries.size());
+  std::vector<FreeEntry> entries = told.entries;
+  const std::vector<PlacedRival> placed = PlaceRivals(rivals, &entries);
+  const auto size = static_cast<Eigen::Index>(entries.size());
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size);
+  std::vector<std::vector<double>> of_plan(models.size()), of_sine(of_plan);
+  ParallelFor(static_cast<int>(models.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    WrenchInformation information(models[at], entries, measurement);
+    const auto sigmas_under = [&](const CoupledCommand& command) {
+      return SigmasOf(placed, num_of_model, information.Of(command, plan->duration).value_or(none));
+    };
+    of_plan[at] = sigmas_under(plan->command);
+    of_sine[at] = sigmas_under(plan->sine);
+  });
+  for (std::size_t k = 0; k < rivals.size(); ++k) {
+    plan->separations.push_back({.truth = NameOf(rivals[k].named),
+                                 .assumed = NameOf(rivals[k].rival),
+                                 .sigmas = MedianAt(of_plan, k),
+                                 .sine = MedianAt(of_sine, k)});
   }
 }
 

@@ -128,10 +128,11 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   task.duration = plan.duration;
   task.seed = request.seed;
   task.entries = told.entries;
+  task.rivals = PlaceRivals(request.rivals, &task.entries);
   task.measurement = MeasurementFor(request, plan);
   task.so_far = kWeightSoFar * InverseOf(told.covariance);
   const auto num_columns =
-      static_cast<double>(NumCoupledColumns(request.model.model, told.entries));
+      static_cast<double>(NumCoupledColumns(request.model.model, task.entries));
   const double moves = std::min(kMostCoupledMoves, kCoupledWork / (plan.duration * num_columns));
   task.num_moves = std::max(10, static_cast<int>(request.effort * moves));
   return task;
@@ -213,8 +214,11 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
       request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
   plan.sine = std::move(sines.command);
   plan.sine_amplitude = std::move(sines.amplitude);
-  ForecastEntries(
-      std::span(task.models).first(kNumCoupledInForecast), told, task.measurement, &plan);
+  const auto forecast = std::span(task.models).first(kNumCoupledInForecast);
+  ForecastEntries(forecast, told, task.measurement, &plan);
+  if (!request.rivals.empty()) {
+    ForecastSeparations(forecast, request.rivals, told, task.measurement, &plan);
+  }
   for (const FreeEntry& entry : request.model.entries) {
     if (IsLeftOut(entry)) plan.left_out.push_back(NameOf(entry));
   }

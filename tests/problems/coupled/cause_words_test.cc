@@ -4,6 +4,7 @@
 #include "fathom/coupled/cause_words.h"
 
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -29,6 +30,16 @@ TEST(CauseSentence, SaysAtWhichAngleAFinIsStuck) {
   EXPECT_THAT(text, StartsWith("Fin port is stuck at one angle, whatever is commanded: 0.1"));
   EXPECT_THAT(text, HasSubstr("rad"));
   EXPECT_THAT(text, HasSubstr("These data cannot tell it from fin_force.port."));
+}
+
+TEST(CoupledNextSteps, EndWithThePlanThatTellsTheCausesApart) {
+  CoupledDiagnosis diagnosis;
+  diagnosis.causes = {
+      {ParseFreeEntry("cubic_damping.sway"), 90.0, 20.0, {ThrusterLagEntry()}, 0.0}};
+  EXPECT_THAT(CoupledNextSteps(diagnosis).back(), HasSubstr("drive each thruster and each DOF"));
+  const std::vector<std::string> planned = CoupledNextSteps(diagnosis, "fathom_plan --out=plan");
+  EXPECT_THAT(planned.back(), ::testing::EndsWith(": fathom_plan --out=plan"));
+  EXPECT_THAT(planned, ::testing::Not(::testing::Contains(HasSubstr("drive each thruster"))));
 }
 
 }  // namespace
