@@ -729,7 +729,7 @@ TEST(PlanTool, PlansAWrenchThatTellsTheCausesOfACoupledVerdictApart) {
                         "wrench tells nothing of single thrusters and fins."));
   EXPECT_THAT(TextOf(inputs.At("plan.html")), HasSubstr(pair));
   const auto separations = JsonOf(inputs.At("plan/plan.json")).at("separations");
-  ASSERT_EQ(separations.size(), 1U);
+  ASSERT_EQ(separations.size(), 2U);
   EXPECT_EQ(separations.at(0).at("truth"), "inertia.sway.yaw");
   EXPECT_EQ(separations.at(0).at("assumed"), "linear_damping.sway.yaw");
   EXPECT_GT(separations.at(0).at("sigmas"), separations.at(0).at("sigmas_of_sine"));

@@ -100,28 +100,27 @@ void ForecastEntries(std::span<const CoupledModel> models,
 }
 
 void ForecastSeparations(std::span<const CoupledModel> models,
-                         const std::vector<EntryRival>& rivals,
-                         const ToldEntries& told,
-                         const WrenchMeasurement& measurement,
+                         const WrenchTask& task,
                          CoupledPlan* plan) {
-  const auto num_of_model = static_cast<Eigen::Index>(told.entries.size());
-  std::vector<FreeEntry> entries = told.entries;
-  const std::vector<PlacedRival> placed = PlaceRivals(rivals, &entries);
-  const auto size = static_cast<Eigen::Index>(entries.size());
+  const auto size = static_cast<Eigen::Index>(task.entries.size());
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size);
   std::vector<std::vector<double>> of_plan(models.size()), of_sine(of_plan);
   ParallelFor(static_cast<int>(models.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    WrenchInformation information(models[at], entries, measurement);
+    WrenchInformation information(models[at], task.entries, task.measurement);
     const auto sigmas_under = [&](const CoupledCommand& command) {
-      return SigmasOf(placed, num_of_model, information.Of(command, plan->duration).value_or(none));
+      return SigmasOf(
+          task.rivals, task.so_far.rows(), information.Of(command, plan->duration).value_or(none));
     };
     of_plan[at] = sigmas_under(plan->command);
     of_sine[at] = sigmas_under(plan->sine);
   });
-  for (std::size_t k = 0; k < rivals.size(); ++k) {
-    plan->separations.push_back({.truth = NameOf(rivals[k].named),
-                                 .assumed = NameOf(rivals[k].rival),
+  const auto name_at = [&](Eigen::Index row) {
+    return NameOf(task.entries[static_cast<std::size_t>(row)]);
+  };
+  for (std::size_t k = 0; k < task.rivals.size(); ++k) {
+    plan->separations.push_back({.truth = name_at(task.rivals[k].truth),
+                                 .assumed = name_at(task.rivals[k].assumed),
                                  .sigmas = MedianAt(of_plan, k),
                                  .sine = MedianAt(of_sine, k)});
   }

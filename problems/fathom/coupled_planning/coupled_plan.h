@@ -71,7 +71,7 @@ struct CoupledPlan {
   // The entries of the model that a wrench can tell; `sine`: by one axis after the other.
   std::vector<PlannedParameter> parameters;
   std::vector<std::string> left_out;           // names of the others
-  std::vector<PlannedSeparation> separations;  // of the rivals, the named cause before its rival
+  std::vector<PlannedSeparation> separations;  // of the rivals, both ways
 
   CoupledCommand sine;                 // a sine on one axis after the other
   std::vector<double> sine_amplitude;  // of each axis: the greatest that the limits leave

@@ -118,6 +118,15 @@ ToldEntries EntriesToTell(const CoupledPlanRequest& request) {
   return told;
 }
 
+// The rivals of the request, both ways. The sines stand for the log so far, which is not at hand.
+void AddRivals(const CoupledPlanRequest& request, const CoupledPlan& plan, WrenchTask* task) {
+  if (request.rivals.empty()) return;
+  task->rivals = PlaceRivals(request.rivals, &task->entries);
+  WrenchInformation information(request.model.model, task->entries, task->measurement);
+  const auto of_sines = information.Of(plan.sine, plan.duration);
+  if (of_sines) task->rivals = BothWays(task->rivals, task->so_far.rows(), *of_sines);
+}
+
 WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
                         const CoupledPlan& plan,
                         const ToldEntries& told) {
@@ -128,9 +137,9 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   task.duration = plan.duration;
   task.seed = request.seed;
   task.entries = told.entries;
-  task.rivals = PlaceRivals(request.rivals, &task.entries);
-  task.measurement = MeasurementFor(request, plan);
   task.so_far = kWeightSoFar * InverseOf(told.covariance);
+  task.measurement = MeasurementFor(request, plan);
+  AddRivals(request, plan, &task);
   const auto num_columns =
       static_cast<double>(NumCoupledColumns(request.model.model, task.entries));
   const double moves = std::min(kMostCoupledMoves, kCoupledWork / (plan.duration * num_columns));
@@ -204,20 +213,20 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   const std::vector<CoupledModel> others =
       DrawCoupledModels(request.model, kNumCoupledInCheck, request.name, random);
 
+  AxisSines sines = LargestAxisSines(
+      request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
+  plan.sine = std::move(sines.command);
+  plan.sine_amplitude = std::move(sines.amplitude);
   WrenchTask task = TaskOfWrench(request, plan, told);
   task.models = std::move(models);
   if (!FillBlocks(request, others, task, &plan)) {
     plan.message = kNoCommandKeepsLimits;
     return plan;
   }
-  AxisSines sines = LargestAxisSines(
-      request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
-  plan.sine = std::move(sines.command);
-  plan.sine_amplitude = std::move(sines.amplitude);
   const auto forecast = std::span(task.models).first(kNumCoupledInForecast);
   ForecastEntries(forecast, told, task.measurement, &plan);
   if (!request.rivals.empty()) {
-    ForecastSeparations(forecast, request.rivals, told, task.measurement, &plan);
+    ForecastSeparations(forecast, task, &plan);
   }
   for (const FreeEntry& entry : request.model.entries) {
     if (IsLeftOut(entry)) plan.left_out.push_back(NameOf(entry));

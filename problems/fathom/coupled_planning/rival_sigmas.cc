@@ -22,28 +22,35 @@ Eigen::Index PlaceOf(const FreeEntry& entry, std::vector<FreeEntry>* entries) {
   return place;
 }
 
-// All that may imitate the named cause.
+// All that may imitate the true cause; the assumed one is the last.
 std::vector<Eigen::Index> OthersOf(const PlacedRival& pair, Eigen::Index num_of_model) {
   std::vector<Eigen::Index> others;
   for (Eigen::Index i = 0; i < num_of_model; ++i) {
-    if (i != pair.named && i != pair.rival) others.push_back(i);
+    if (i != pair.truth && i != pair.assumed) others.push_back(i);
   }
-  others.push_back(pair.rival);
+  others.push_back(pair.assumed);
   return others;
 }
 
-double SigmasBetween(const PlacedRival& pair,
-                     Eigen::Index num_of_model,
-                     const Eigen::MatrixXd& information) {
+// The best imitation of the true cause.
+struct Imitation {
+  double left = 0.0;     // squares of what is left, of the true cause at value 1
+  double assumed = 0.0;  // value of the assumed cause, of the true one at value 1
+};
+
+Imitation ImitationOf(const PlacedRival& pair,
+                      Eigen::Index num_of_model,
+                      const Eigen::MatrixXd& information) {
   const std::vector<Eigen::Index> others = OthersOf(pair, num_of_model);
   const Eigen::MatrixXd of_others = information(others, others);
   const Eigen::VectorXd scales =
       of_others.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd scaled = scales.asDiagonal() * of_others * scales.asDiagonal();
   scaled.diagonal().array() += kTraceOfRival;
-  const Eigen::VectorXd shared = scales.cwiseProduct(information(others, pair.named).col(0));
-  const double left = information(pair.named, pair.named) - shared.dot(scaled.ldlt().solve(shared));
-  return std::abs(pair.value) * std::sqrt(std::max(0.0, left));
+  const Eigen::VectorXd shared = scales.cwiseProduct(information(others, pair.truth).col(0));
+  const Eigen::VectorXd by = scaled.ldlt().solve(shared);
+  const double left = information(pair.truth, pair.truth) - shared.dot(by);
+  return {std::max(0.0, left), by[by.size() - 1] * scales[scales.size() - 1]};
 }
 
 }  // namespace
@@ -58,12 +65,24 @@ std::vector<PlacedRival> PlaceRivals(const std::vector<EntryRival>& rivals,
   return placed;
 }
 
+std::vector<PlacedRival> BothWays(const std::vector<PlacedRival>& rivals,
+                                  Eigen::Index num_of_model,
+                                  const Eigen::MatrixXd& information) {
+  std::vector<PlacedRival> both = rivals;
+  for (const PlacedRival& pair : rivals) {
+    const double share = ImitationOf(pair, num_of_model, information).assumed;
+    both.push_back({pair.assumed, pair.truth, share * pair.value});
+  }
+  return both;
+}
+
 std::vector<double> SigmasOf(const std::vector<PlacedRival>& rivals,
                              Eigen::Index num_of_model,
                              const Eigen::MatrixXd& information) {
   std::vector<double> sigmas;
   for (const PlacedRival& pair : rivals) {
-    sigmas.push_back(SigmasBetween(pair, num_of_model, information));
+    const double left = ImitationOf(pair, num_of_model, information).left;
+    sigmas.push_back(std::abs(pair.value) * std::sqrt(left));
   }
   return sigmas;
 }

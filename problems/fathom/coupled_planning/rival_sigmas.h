@@ -11,10 +11,10 @@
 
 namespace fathom {
 
-// Two causes by their rows in the information of a run.
+// Two causes by their rows in the information of a run: one true, the other assumed.
 struct PlacedRival {
-  Eigen::Index named = 0, rival = 0;
-  double value = 0.0;  // of the named one
+  Eigen::Index truth = 0, assumed = 0;
+  double value = 0.0;  // of the true one
 };
 
 // The rows of pairs. `entries`: those of a model, behind which the missing ones of the pairs are
@@ -22,9 +22,9 @@ struct PlacedRival {
 std::vector<PlacedRival> PlaceRivals(const std::vector<EntryRival>& rivals,
                                      std::vector<FreeEntry>* entries);
 
-// By how many standard deviations a run tells each named cause from its rival, to first order. The
-// effect of the named one is its value times its sensitivity s; what the model's other numbers S
-// and the rival r imitate of it counts for nothing:
+// By how many standard deviations a run tells each true cause from the assumed one, to first order.
+// The effect of the true one is its value times its sensitivity s; what the model's other numbers S
+// and the assumed cause r imitate of it counts for nothing:
 //
 //   lambda^2 = min over a, b of value^2 |s - S a - r b|^2                    docs/plan.md (11)
 //
@@ -32,6 +32,12 @@ std::vector<PlacedRival> PlaceRivals(const std::vector<EntryRival>& rivals,
 std::vector<double> SigmasOf(const std::vector<PlacedRival>& rivals,
                              Eigen::Index num_of_model,
                              const Eigen::MatrixXd& information);
+
+// The pairs, and behind them each the other way round: the rival true, of the size at which it
+// imitates the named cause best in a run of this information, which stands for the log so far.
+std::vector<PlacedRival> BothWays(const std::vector<PlacedRival>& rivals,
+                                  Eigen::Index num_of_model,
+                                  const Eigen::MatrixXd& information);
 
 // What separations are worth to a search: -ln of the sum of 1 / (1 + lambda^2). The least one
 // leads, and one that nothing can raise leaves the others their worth.

@@ -47,6 +47,17 @@ TEST(SigmasOf, HoldARivalWithoutATrace) {
   EXPECT_NEAR(SigmasOf({{1, 2, 1.5}}, 2, columns.transpose() * columns)[0], 1.5 * own.norm(), 1e-9);
 }
 
+// In a run in which two causes differ little, the rival of the size that imitates the named one.
+TEST(BothWays, TakeTheRivalForTrueAsLargeAsItImitatesTheNamedCause) {
+  Eigen::MatrixXd columns = Columns();
+  columns.col(2) = 4.0 * columns.col(1) - 0.4 * columns.col(0);
+  const std::vector<PlacedRival> both = BothWays({{1, 2, 1.5}}, 2, columns.transpose() * columns);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[1].truth, 2);
+  EXPECT_EQ(both[1].assumed, 1);
+  EXPECT_NEAR(both[1].value, 1.5 / 4.0, 1e-6);
+}
+
 TEST(PlaceRivals, PutsBehindTheModelsEntriesWhatItLacks) {
   std::vector<FreeEntry> entries = {InertiaEntry(Dof::kSway, Dof::kSway),
                                     ParseFreeEntry("cubic_damping.sway")};
@@ -54,11 +65,11 @@ TEST(PlaceRivals, PutsBehindTheModelsEntriesWhatItLacks) {
   const std::vector<PlacedRival> placed = PlaceRivals(
       {{entries[1], 90.0, friction}, {TimeOffsetEntry(), 0.2, ThrusterLagEntry()}}, &entries);
   ASSERT_EQ(placed.size(), 2u);
-  EXPECT_EQ(placed[0].named, 1);
-  EXPECT_EQ(placed[0].rival, 2);
+  EXPECT_EQ(placed[0].truth, 1);
+  EXPECT_EQ(placed[0].assumed, 2);
   EXPECT_EQ(placed[0].value, 90.0);
-  EXPECT_EQ(placed[1].named, 3);
-  EXPECT_EQ(placed[1].rival, 4);
+  EXPECT_EQ(placed[1].truth, 3);
+  EXPECT_EQ(placed[1].assumed, 4);
   EXPECT_THAT(std::vector<FreeEntry>(entries.begin() + 2, entries.end()),
               ElementsAre(friction, TimeOffsetEntry(), ThrusterLagEntry()));
 }
