@@ -11,6 +11,7 @@
 #include "fathom/coupled/coupled_page.h"
 #include "fathom/coupled/coupled_text.h"
 #include "fathom/coupled/coupled_verdict_file.h"
+#include "fathom/coupled_planning/coupled_plan_hint.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/report/candidate_text.h"
 #include "fathom/diagnosis/report/diagnosis_page.h"
@@ -209,7 +210,9 @@ std::vector<Finding> Without(std::vector<Finding> findings, const std::vector<Fi
   return findings;
 }
 
-void PrintCoupled(const CoupledDiagnosis& diagnosis, const CoupledIdentification& identified) {
+void PrintCoupled(const CoupledDiagnosis& diagnosis,
+                  const CoupledIdentification& identified,
+                  const std::string& plan_command) {
   PrintText(
       stdout,
       fmt::format(
@@ -220,7 +223,7 @@ void PrintCoupled(const CoupledDiagnosis& diagnosis, const CoupledIdentification
     }
   }
   PrintText(stdout, "\n" + FormatCoupledIdentification(identified) + "\n");
-  for (const std::string& step : CoupledNextSteps(diagnosis)) {
+  for (const std::string& step : CoupledNextSteps(diagnosis, plan_command)) {
     PrintText(stdout, "next: " + step + "\n");
   }
   for (const std::string& remark : identified.remarks) PrintText(stdout, "note: " + remark + "\n");
@@ -240,15 +243,18 @@ int RunCoupledDiagnosis() {
     return kExitNoFit;
   }
   const CoupledDiagnosis diagnosis = DiagnoseCoupled(identified, std::move(findings));
+  std::string plan_command;
   if (!FLAGS_verdict.empty()) {
-    WriteFile(FLAGS_verdict, FormatCoupledVerdict(diagnosis, identified));
+    const std::string verdict = FormatCoupledVerdict(diagnosis, identified);
+    WriteFile(FLAGS_verdict, verdict);
+    plan_command = CoupledPlanCommandOfVerdict(verdict, FLAGS_verdict);
   }
   if (!FLAGS_report.empty()) {
-    Page page = CoupledPage(diagnosis, identified);
+    Page page = CoupledPage(diagnosis, identified, plan_command);
     page.origin = origin;
     WriteFile(FLAGS_report, RenderPage(page));
   }
-  PrintCoupled(diagnosis, identified);
+  PrintCoupled(diagnosis, identified, plan_command);
   return kExitUsable;
 }
 

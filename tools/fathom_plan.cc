@@ -120,8 +120,9 @@ const ToolInfo kInfo = {
         "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
         "they "
         "tell counts as flown already. "
-        "A model of several DOFs gives a wrench on several axes at once; --log and "
-        "--verdict are of one DOF. "
+        "A model or a verdict of several DOFs gives a wrench on several axes at once; --log is of "
+        "one "
+        "DOF. "
         "--ordinary plans nothing: it says which stretches of the logs, cut at 30 to 120 s, tell "
         "the parameters about as well as all of them, and what manoeuvre or recorded channel the "
         "weakest one lacks. docs/plan.md.",
@@ -268,7 +269,8 @@ std::map<std::string, std::string> FilesOf(const PlanRequest& request, const Exp
 void Print(const PlanRequest& request, const ExperimentPlan& plan) {
   PrintText(stdout, PlanSentence(request, plan) + "\n\n");
   fmt::print("{}", FormatTable(PlannedParameterTable(plan.parameters)));
-  if (!plan.separations.empty()) fmt::print("\n{}", FormatTable(PlannedSeparationTable(plan)));
+  if (!plan.separations.empty())
+    fmt::print("\n{}", FormatTable(PlannedSeparationTable(plan.separations)));
   for (const std::string& line : PlanComments(request, plan)) {
     PrintText(stdout, "note: " + line + "\n");
   }
@@ -293,7 +295,7 @@ int RunOrdinary() {
   return RunOrdinaryPlan({FLAGS_model, FLAGS_json, FLAGS_report});
 }
 
-// Of several DOFs a wrench is planned, from the model alone.
+// Of several DOFs a wrench is planned, from the model or the verdict alone.
 int RunCoupled(const std::string& file) {
   if (!FLAGS_log.empty()) {
     throw InputError(fmt::format(
@@ -301,7 +303,7 @@ int RunCoupled(const std::string& file) {
         "counts by its fit: give fathom_identify --dofs these logs too.",
         file));
   }
-  for (const char* flag : {"verdict", "dof", "held_out", "velocity", "correct"}) {
+  for (const char* flag : {"dof", "held_out", "velocity", "correct"}) {
     if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
     throw InputError(fmt::format(
         "--{}: goes with a model of one DOF, expected none: {} is of several DOFs.", flag, file));

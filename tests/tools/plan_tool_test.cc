@@ -705,6 +705,41 @@ TEST(PlanTool, WritesWhatTheThrustersDoUnderAWrench) {
   EXPECT_THAT(without.err, HasSubstr(inputs.lake + ": key 'thruster_force' goes with --vehicle"));
 }
 
+// A verdict by hand: of the coupling that the model holds, left open against others.
+TEST(PlanTool, PlansAWrenchThatTellsTheCausesOfACoupledVerdictApart) {
+  const CoupledInputFiles inputs;
+  const auto verdict_of = [&](const std::string& verdict) {
+    const std::string text = R"({"schema": "fathom-verdict-2", "verdict": ")" + verdict +
+                             R"(", "causes": [{"entry": "inertia.sway.yaw", "alternatives": )"
+                             R"(["linear_damping.sway.yaw", "thrust_gain.port"]}], "model": )" +
+                             TextOf(inputs.model) + "}";
+    return WriteTestFile(inputs.folder / (verdict + ".json"), text).string();
+  };
+  const ToolRun run = RunsWell(RunToolBinary("fathom_plan",
+                                             {"--verdict=" + verdict_of("ambiguous"),
+                                              "--limits=" + inputs.lake,
+                                              "--duration=30",
+                                              "--out=" + inputs.At("plan"),
+                                              "--report=" + inputs.At("plan.html")}));
+  const std::string pair = "inertia.sway.yaw against linear_damping.sway.yaw: decided at ";
+  EXPECT_THAT(run.out, HasSubstr(pair));
+  EXPECT_THAT(run.out, HasSubstr("How far a wrong cause will miss, in standard deviations"));
+  EXPECT_THAT(run.err,
+              HasSubstr("fathom_plan: inertia.sway.yaw against thrust_gain.port is left out: a "
+                        "wrench tells nothing of single thrusters and fins."));
+  EXPECT_THAT(TextOf(inputs.At("plan.html")), HasSubstr(pair));
+  const auto separations = JsonOf(inputs.At("plan/plan.json")).at("separations");
+  ASSERT_EQ(separations.size(), 2U);
+  EXPECT_EQ(separations.at(0).at("truth"), "inertia.sway.yaw");
+  EXPECT_EQ(separations.at(0).at("assumed"), "linear_damping.sway.yaw");
+  EXPECT_GT(separations.at(0).at("sigmas"), separations.at(0).at("sigmas_of_sine"));
+
+  const ToolRun model = RunsWell(RunToolBinary(
+      "fathom_plan",
+      {"--verdict=" + verdict_of("explained"), "--limits=" + inputs.lake, "--duration=30"}));
+  EXPECT_EQ(model.out, RunsWell(inputs.Plan({"--duration=30"})).out);
+}
+
 TEST(PlanTool, RefusesWhatACoupledModelIsNotPlannedWith) {
   const CoupledInputFiles inputs;
   const auto refused = [&](const std::vector<std::string>& flags, const std::string& why) {

@@ -188,7 +188,8 @@ std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
          missed;
 }
 
-std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
+std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis,
+                                          const std::string& plan_command) {
   std::vector<std::string> steps;
   for (const NamedEntry& cause : diagnosis.causes) {
     if (cause.entry.kind == Kind::kThrustGain) {
@@ -237,7 +238,7 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
       steps.push_back(fmt::format("Set fin {} straight, or trim its servo by this angle.",
                                   cause.entry.actuator));
     }
-    if (!cause.not_told_apart.empty()) {
+    if (!cause.not_told_apart.empty() && plan_command.empty()) {
       steps.push_back(fmt::format(
           "To tell {} from the others, drive each thruster and each DOF alone, at several levels.",
           NameOf(cause.entry)));
@@ -252,6 +253,10 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis) {
   if (std::ranges::any_of(diagnosis.findings,
                           [](const Finding& f) { return f.severity == Severity::kWarning; })) {
     steps.push_back("Mend what the red findings name, and diagnose the logs again.");
+  }
+  if (!plan_command.empty()) {
+    steps.push_back("To plan the run that tells them apart, with a limits file of the place: " +
+                    plan_command);
   }
   if (steps.empty()) {
     steps.push_back("Use the model within the speeds and commands of these data.");

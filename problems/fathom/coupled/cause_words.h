@@ -18,7 +18,9 @@ std::string CauseSentence(const NamedEntry& cause, const std::string& force_unit
 std::string CoupledVerdictSentence(const CoupledDiagnosis& diagnosis,
                                    const CoupledIdentification& identified);
 
-// What to do next, a sentence each.
-std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis);
+// What to do next, a sentence each. `plan_command`: plans the run that tells the causes apart;
+// empty where there is none.
+std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis,
+                                          const std::string& plan_command = "");
 
 }  // namespace fathom

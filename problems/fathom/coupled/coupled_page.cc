@@ -72,7 +72,9 @@ PageSection MatrixSection(const FittedCoupledModel& fitted) {
 
 }  // namespace
 
-Page CoupledPage(const CoupledDiagnosis& diagnosis, const CoupledIdentification& identified) {
+Page CoupledPage(const CoupledDiagnosis& diagnosis,
+                 const CoupledIdentification& identified,
+                 const std::string& plan_command) {
   const FittedCoupledModel& fitted = identified.fitted;
   const Ladder& ladder = *identified.ladder;
   Page page;
@@ -90,7 +92,7 @@ Page CoupledPage(const CoupledDiagnosis& diagnosis, const CoupledIdentification&
   if (diagnosis.causes.size() > 1) page.sections.push_back(CauseSection(diagnosis, fitted));
   PageSection next;
   next.heading = "What to do next";
-  next.text = CoupledNextSteps(diagnosis);
+  next.text = CoupledNextSteps(diagnosis, plan_command);
   page.sections.push_back(std::move(next));
   page.sections.push_back(MotionSection(identified));
   page.sections.push_back(LadderSection(ladder, fitted.model.dofs));

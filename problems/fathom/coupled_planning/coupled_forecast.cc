@@ -39,9 +39,10 @@ Eigen::VectorXd StdsAlone(const Eigen::MatrixXd& information,
   return stds;
 }
 
-double MedianAt(const std::vector<Eigen::VectorXd>& stds, Eigen::Index at) {
+template <typename Numbers, typename Place>
+double MedianAt(const std::vector<Numbers>& of_models, Place at) {
   std::vector<double> values;
-  for (const Eigen::VectorXd& of_model : stds) values.push_back(of_model[at]);
+  for (const Numbers& of_model : of_models) values.push_back(of_model[at]);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -95,6 +96,33 @@ void ForecastEntries(std::span<const CoupledModel> models,
                                 MedianAt(after, at),
                                 MedianAt(both, at),
                                 MedianAt(sine, at)});
+  }
+}
+
+void ForecastSeparations(std::span<const CoupledModel> models,
+                         const WrenchTask& task,
+                         CoupledPlan* plan) {
+  const auto size = static_cast<Eigen::Index>(task.entries.size());
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size);
+  std::vector<std::vector<double>> of_plan(models.size()), of_sine(of_plan);
+  ParallelFor(static_cast<int>(models.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    WrenchInformation information(models[at], task.entries, task.measurement);
+    const auto sigmas_under = [&](const CoupledCommand& command) {
+      return SigmasOf(
+          task.rivals, task.so_far.rows(), information.Of(command, plan->duration).value_or(none));
+    };
+    of_plan[at] = sigmas_under(plan->command);
+    of_sine[at] = sigmas_under(plan->sine);
+  });
+  const auto name_at = [&](Eigen::Index row) {
+    return NameOf(task.entries[static_cast<std::size_t>(row)]);
+  };
+  for (std::size_t k = 0; k < task.rivals.size(); ++k) {
+    plan->separations.push_back({.truth = name_at(task.rivals[k].truth),
+                                 .assumed = name_at(task.rivals[k].assumed),
+                                 .sigmas = MedianAt(of_plan, k),
+                                 .sine = MedianAt(of_sine, k)});
   }
 }
 

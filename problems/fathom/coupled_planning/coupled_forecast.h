@@ -5,6 +5,7 @@
 
 #include "fathom/coupled_planning/coupled_plan.h"
 #include "fathom/coupled_planning/wrench_run.h"
+#include "fathom/coupled_planning/wrench_search.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 
 #include <span>
@@ -27,6 +28,11 @@ void ForecastEntries(std::span<const CoupledModel> models,
                      const ToldEntries& told,
                      const WrenchMeasurement& measurement,
                      CoupledPlan* plan);
+
+// How well the command of the plan and its sine tell rivals apart: the middle of what `models` say.
+void ForecastSeparations(std::span<const CoupledModel> models,
+                         const WrenchTask& task,
+                         CoupledPlan* plan);
 
 // What the model will do under the command of the plan, and how many of `others` break a limit.
 // False if the model diverges.

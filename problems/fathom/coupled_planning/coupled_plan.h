@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/coupled_planning/coupled_limits.h"
+#include "fathom/coupled_planning/entry_rival.h"
 #include "fathom/coupled_planning/wrench_allocation.h"
 #include "fathom/coupled_planning/wrench_block.h"
 #include "fathom/planning/experiment_plan.h"
@@ -30,6 +31,8 @@ struct CoupledPlanRequest {
   double duration = 0.0;  // [s]
   std::uint64_t seed = 1;
   double effort = 1.0;  // share of the changes that are tried, above 0 to 1
+
+  std::vector<EntryRival> rivals;  // to tell apart; none: the plan tells the entries
 
   // Whose thrusters give the wrench; none: anything gives it. It must outlive the plan.
   const Vehicle* vehicle = nullptr;
@@ -67,7 +70,8 @@ struct CoupledPlan {
 
   // The entries of the model that a wrench can tell; `sine`: by one axis after the other.
   std::vector<PlannedParameter> parameters;
-  std::vector<std::string> left_out;  // names of the others
+  std::vector<std::string> left_out;           // names of the others
+  std::vector<PlannedSeparation> separations;  // of the rivals, both ways
 
   CoupledCommand sine;                 // a sine on one axis after the other
   std::vector<double> sine_amplitude;  // of each axis: the greatest that the limits leave

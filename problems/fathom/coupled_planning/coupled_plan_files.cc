@@ -112,6 +112,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                             {"share_breaking", plan.share_breaking},
                             {"parameters", JsonOfParameters<CoupledJson>(plan.parameters)},
                             {"left_out", plan.left_out},
+                            {"separations", JsonOfSeparations<CoupledJson>(plan.separations)},
                             {"sine", AxisSinesJson(plan)},
                             {"thrusters", SharesJson(plan)},
                             {"blocks", WrenchBlocksJson(plan, request.limits.shortest_hold)}};

@@ -45,6 +45,7 @@ Page CoupledPlanPage(const CoupledPlanRequest& request, const CoupledPlan& plan)
                                               request.limits.room[at]));
   }
   section.tables = {PlannedEntryTable(plan)};
+  if (!plan.separations.empty()) section.tables.push_back(CoupledSeparationTable(plan));
   page.footer =
       "Intervals are predicted from the model so far: the better it is, the better they are. "
       "docs/plan.md.";

@@ -94,6 +94,21 @@ std::string NoiseComment(const CoupledPlanRequest& request, const CoupledPlan& p
   return text;
 }
 
+// How well each pair is told apart.
+std::string SeparationSentences(const std::vector<PlannedSeparation>& separations) {
+  std::string text;
+  for (const PlannedSeparation& pair : separations) {
+    text +=
+        fmt::format(" {} against {}: {} at {:.1f} sigmas ({:.1f} with sines of the same length).",
+                    pair.truth,
+                    pair.assumed,
+                    pair.IsDecided() ? "decided" : "open",
+                    pair.sigmas,
+                    pair.sine);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string NamesOfAxes(const CoupledPlan& plan) {
@@ -106,6 +121,7 @@ std::string CoupledPlanSentence(const CoupledPlan& plan) {
   if (!plan.IsUsable()) return plan.message;
   const std::string text =
       fmt::format("Command {} for {:g} s as planned.", NamesOfAxes(plan), plan.duration);
+  if (!plan.separations.empty()) return text + SeparationSentences(plan.separations);
   std::vector<double> gains;
   std::vector<std::string> open;
   for (const PlannedParameter& entry : plan.parameters) {
@@ -183,6 +199,12 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
 Table PlannedEntryTable(const CoupledPlan& plan) {
   Table table = PlannedParameterTable(plan.parameters);
   table.columns.back().heading = "after sines";
+  return table;
+}
+
+Table CoupledSeparationTable(const CoupledPlan& plan) {
+  Table table = PlannedSeparationTable(plan.separations);
+  table.columns.back().heading = "sines";
   return table;
 }
 

@@ -11,10 +11,10 @@
 
 namespace fathom {
 
-// What to do and what comes of it, in one sentence or two.
 // The commanded DOFs: "surge, sway, yaw".
 std::string NamesOfAxes(const CoupledPlan& plan);
 
+// What to do and what comes of it, in one sentence or two; of rivals, one for each pair.
 std::string CoupledPlanSentence(const CoupledPlan& plan);
 
 // What the vehicle will do within the limits, and what was assumed: a sentence each.
@@ -23,5 +23,8 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
 
 // 95 % intervals of each entry, before and after.
 Table PlannedEntryTable(const CoupledPlan& plan);
+
+// How well rivals are told apart; without rows where there are none.
+Table CoupledSeparationTable(const CoupledPlan& plan);
 
 }  // namespace fathom

@@ -119,6 +119,15 @@ ToldEntries EntriesToTell(const CoupledPlanRequest& request) {
   return told;
 }
 
+// The rivals of the request, both ways. The sines stand for the log so far, which is not at hand.
+void AddRivals(const CoupledPlanRequest& request, const CoupledPlan& plan, WrenchTask* task) {
+  if (request.rivals.empty()) return;
+  task->rivals = PlaceRivals(request.rivals, &task->entries);
+  WrenchInformation information(request.model.model, task->entries, task->measurement);
+  const auto of_sines = information.Of(plan.sine, plan.duration);
+  if (of_sines) task->rivals = BothWays(task->rivals, task->so_far.rows(), *of_sines);
+}
+
 WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
                         const CoupledPlan& plan,
                         const ToldEntries& told) {
@@ -129,10 +138,11 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   task.duration = plan.duration;
   task.seed = request.seed;
   task.entries = told.entries;
-  task.measurement = MeasurementFor(request, plan);
   task.so_far = kWeightSoFar * InverseOf(told.covariance);
+  task.measurement = MeasurementFor(request, plan);
+  AddRivals(request, plan, &task);
   const auto num_columns =
-      static_cast<double>(NumCoupledColumns(request.model.model, told.entries));
+      static_cast<double>(NumCoupledColumns(request.model.model, task.entries));
   const double moves = std::min(kMostCoupledMoves, kCoupledWork / (plan.duration * num_columns));
   task.num_moves = std::max(10, static_cast<int>(request.effort * moves));
   return task;
@@ -204,18 +214,21 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   const std::vector<CoupledModel> others =
       DrawCoupledModels(request.model, kNumCoupledInCheck, request.name, random);
 
+  AxisSines sines = LargestAxisSines(
+      request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
+  plan.sine = std::move(sines.command);
+  plan.sine_amplitude = std::move(sines.amplitude);
   WrenchTask task = TaskOfWrench(request, plan, told);
   task.models = std::move(models);
   if (!FillBlocks(request, others, task, &plan)) {
     plan.message = kNoCommandKeepsLimits;
     return plan;
   }
-  AxisSines sines = LargestAxisSines(
-      request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
-  plan.sine = std::move(sines.command);
-  plan.sine_amplitude = std::move(sines.amplitude);
-  ForecastEntries(
-      std::span(task.models).first(kNumCoupledInForecast), told, task.measurement, &plan);
+  const auto forecast = std::span(task.models).first(kNumCoupledInForecast);
+  ForecastEntries(forecast, told, task.measurement, &plan);
+  if (!request.rivals.empty()) {
+    ForecastSeparations(forecast, task, &plan);
+  }
   for (const FreeEntry& entry : request.model.entries) {
     if (IsLeftOut(entry)) plan.left_out.push_back(NameOf(entry));
   }

@@ -23,6 +23,7 @@ constexpr double kLongestWrench = 30.0;        // of one block [s]
 constexpr double kLongestShareOfWrench = 0.2;  // of the plan
 constexpr int kMostTrialsOfMove = 6;
 constexpr int kMovesOverThoseOfStart = 5;  // of the best start
+constexpr double kShareOfEntries = 0.3;    // beside rivals
 
 using WrenchBlocks = std::vector<WrenchBlock>;
 
@@ -72,8 +73,22 @@ class WrenchSearch {
  private:
   double MeasureOf(const WrenchBlocks& blocks) {
     const auto told = information_.Of(AsCommand(blocks), NumCells(blocks) * hold_);
-    if (!told) return -std::numeric_limits<double>::infinity();
-    return LogDetOf(*told + task_.so_far);
+    return told ? WorthOf(*told) : -std::numeric_limits<double>::infinity();
+  }
+
+  double WorthOf(const Eigen::MatrixXd& told) const {
+    const Eigen::Index num_of_model = task_.so_far.rows();
+    const double of_entries =
+        LogDetOf(told.topLeftCorner(num_of_model, num_of_model) + task_.so_far);
+    if (task_.rivals.empty()) return of_entries;
+    return WorthOfSigmas(SigmasOf(task_.rivals, num_of_model, told)) +
+           kShareOfEntries * of_entries / static_cast<double>(num_of_model);
+  }
+
+  // Of no command.
+  double WorthOfNone() const {
+    const auto size = static_cast<Eigen::Index>(task_.entries.size());
+    return WorthOf(Eigen::MatrixXd::Zero(size, size));
   }
 
   CoupledCommand AsCommand(const WrenchBlocks& blocks) const {
@@ -116,7 +131,7 @@ class WrenchSearch {
   // still be stopped within the limits. False if there is none.
   bool Extend(WrenchBlocks* blocks) {
     const int most = std::min(num_cells_ - NumCells(*blocks), longest_block_);
-    const double so_far = blocks->empty() ? LogDetOf(task_.so_far) : MeasureOf(*blocks);
+    const double so_far = blocks->empty() ? WorthOfNone() : MeasureOf(*blocks);
     std::vector<std::pair<double, WrenchBlock>> drawn;
     for (int i = 0; i < task_.drawn_per_block; ++i) {
       const WrenchBlock block = Draw(DrawLength(most));

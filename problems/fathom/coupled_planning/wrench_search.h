@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/coupled_planning/coupled_limits.h"
+#include "fathom/coupled_planning/rival_sigmas.h"
 #include "fathom/coupled_planning/wrench_allocation.h"
 #include "fathom/coupled_planning/wrench_block.h"
 #include "fathom/coupled_planning/wrench_run.h"
@@ -27,10 +28,14 @@ struct WrenchTask {
   // That must give the wrench; they must give the one that holds every axis. None: any are taken.
   std::optional<WrenchAllocation> thrusters = {};
 
-  // A command is worth ln det(M + so_far), M what the first of `models` tells of the entries.
+  // A command is worth ln det(M + so_far), M what the first of `models` tells of the model's
+  // entries. These are the first of `entries`, as many as `so_far` has rows.
   std::vector<FreeEntry> entries;
   WrenchMeasurement measurement;
   Eigen::MatrixXd so_far;
+
+  // Beside rivals it is worth WorthOfSigmas(), and its ln det for each entry for a small share.
+  std::vector<PlacedRival> rivals = {};  // rows of `entries`
 
   int num_starts = 2;       // at least 1
   int drawn_per_block = 8;  // of which the best is taken

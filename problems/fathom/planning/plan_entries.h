@@ -33,4 +33,18 @@ Json JsonOfParameters(const std::vector<PlannedParameter>& parameters) {
   return json;
 }
 
+// Each pair of causes.
+template <typename Json>
+Json JsonOfSeparations(const std::vector<PlannedSeparation>& separations) {
+  Json list = Json::array();
+  for (const PlannedSeparation& separation : separations) {
+    list.push_back({{"truth", separation.truth},
+                    {"assumed", separation.assumed},
+                    {"sigmas", separation.sigmas},
+                    {"sigmas_of_sine", separation.sine},
+                    {"sigmas_with_positions", separation.with_positions}});
+  }
+  return list;
+}
+
 }  // namespace fathom

@@ -49,18 +49,6 @@ Json ThrustersJson(const PlanRequest& request) {
   return list;
 }
 
-Json SeparationsJson(const ExperimentPlan& plan) {
-  Json list = Json::array();
-  for (const PlannedSeparation& separation : plan.separations) {
-    list.push_back({{"truth", separation.truth},
-                    {"assumed", separation.assumed},
-                    {"sigmas", separation.sigmas},
-                    {"sigmas_of_sine", separation.sine},
-                    {"sigmas_with_positions", separation.with_positions}});
-  }
-  return list;
-}
-
 }  // namespace
 
 std::string FormatPlan(const PlanRequest& request, const ExperimentPlan& plan) {
@@ -79,7 +67,7 @@ std::string FormatPlan(const PlanRequest& request, const ExperimentPlan& plan) {
       {"distance_range", JsonOfRange<Json>(plan.distance_range)},
       {"parameters", JsonOfParameters<Json>(plan.parameters)},
       {"led_by", plan.led_by},
-      {"separations", SeparationsJson(plan)},
+      {"separations", JsonOfSeparations<Json>(plan.separations)},
       {"sine",
        {{"amplitude", plan.sine.amplitude},
         {"frequency", kSineFrequency},

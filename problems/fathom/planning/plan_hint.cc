@@ -5,31 +5,17 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/planning/drawn_models.h"
+#include "fathom/planning/hinted_command.h"
 #include "fathom/planning/open_causes.h"
 #include "fathom/planning/plan_request.h"
 #include "fathom/vehicle/files/model_file.h"
-
-#include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 namespace fathom {
 namespace {
 
-constexpr double kShortestHinted = 60.0;  // [s]
-constexpr double kLongestHinted = 300.0;
 constexpr int kNumModelsTried = 64;
-
-// As a shell takes it for one word.
-std::string ShellWord(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:@%+,";
-  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 // Whether fathom_plan takes the model, without a limits file.
 bool IsPlannable(const FittedModel& fitted, const OpenCauses& open) {
@@ -54,10 +40,10 @@ std::string HintedCommand(const std::string& flag,
                           const FittedModel& fitted,
                           const OpenCauses& open) {
   if (!IsPlannable(fitted, open)) return "";
-  const double duration =
-      std::clamp(10.0 * std::round(0.1 * fitted.train.duration), kShortestHinted, kLongestHinted);
-  return fmt::format(
-      "fathom_plan --{}={} --duration={:g} --out=plan", flag, ShellWord(file), duration);
+  return fmt::format("fathom_plan --{}={} --duration={:g} --out=plan",
+                     flag,
+                     ShellWord(file),
+                     HintedDuration(fitted.train.duration));
 }
 
 }  // namespace

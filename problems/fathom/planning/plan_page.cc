@@ -34,7 +34,7 @@ Page PlanPage(const PlanRequest& request, const ExperimentPlan& plan) {
                                      plan.displacement,
                                      request.limits.distance)};
   section.tables = {PlannedParameterTable(plan.parameters)};
-  if (!plan.separations.empty()) section.tables.push_back(PlannedSeparationTable(plan));
+  if (!plan.separations.empty()) section.tables.push_back(PlannedSeparationTable(plan.separations));
   page.footer =
       "Intervals are predicted from the model so far: the better it is, the better they are. "
       "docs/plan.md.";

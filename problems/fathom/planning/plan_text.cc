@@ -218,12 +218,12 @@ Table PlannedParameterTable(const std::vector<PlannedParameter>& parameters) {
   return table;
 }
 
-Table PlannedSeparationTable(const ExperimentPlan& plan) {
+Table PlannedSeparationTable(const std::vector<PlannedSeparation>& separations) {
   Table table = {
       .caption = "How far a wrong cause will miss, in standard deviations",
       .columns = {{"if it is"}, {"and one assumes"}, {"the plan", true}, {"a sine", true}},
       .rows = {}};
-  for (const PlannedSeparation& separation : plan.separations) {
+  for (const PlannedSeparation& separation : separations) {
     table.rows.push_back({{separation.truth,
                            separation.assumed,
                            Sigmas(separation.sigmas),

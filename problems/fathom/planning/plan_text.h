@@ -22,6 +22,6 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
 Table PlannedParameterTable(const std::vector<PlannedParameter>& parameters);
 
 // How well rivals are told apart; without rows where there are none.
-Table PlannedSeparationTable(const ExperimentPlan& plan);
+Table PlannedSeparationTable(const std::vector<PlannedSeparation>& separations);
 
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #include "fathom/coupled/cause_words.h"
 
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -48,6 +49,16 @@ TEST(CauseSentence, SaysWhereAFinStalls) {
   CoupledDiagnosis diagnosis;
   diagnosis.causes = {stalls};
   EXPECT_THAT(CoupledNextSteps(diagnosis).front(), StartsWith("Turn fin port no further"));
+}
+
+TEST(CoupledNextSteps, EndWithThePlanThatTellsTheCausesApart) {
+  CoupledDiagnosis diagnosis;
+  diagnosis.causes = {
+      {ParseFreeEntry("cubic_damping.sway"), 90.0, 20.0, {ThrusterLagEntry()}, 0.0}};
+  EXPECT_THAT(CoupledNextSteps(diagnosis).back(), HasSubstr("drive each thruster and each DOF"));
+  const std::vector<std::string> planned = CoupledNextSteps(diagnosis, "fathom_plan --out=plan");
+  EXPECT_THAT(planned.back(), ::testing::EndsWith(": fathom_plan --out=plan"));
+  EXPECT_THAT(planned, ::testing::Not(::testing::Contains(HasSubstr("drive each thruster"))));
 }
 
 }  // namespace

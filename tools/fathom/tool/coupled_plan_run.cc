@@ -12,6 +12,7 @@
 #include "fathom/coupled_planning/coupled_plan_page.h"
 #include "fathom/coupled_planning/coupled_plan_text.h"
 #include "fathom/coupled_planning/plan_coupled.h"
+#include "fathom/coupled_planning/verdict_rivals.h"
 #include "fathom/planning/thruster_files.h"
 #include "fathom/planning/thruster_reach.h"
 #include "fathom/report/page.h"
@@ -28,6 +29,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,7 +48,8 @@ CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags, const Vehicle* vehic
   }
   CoupledPlanRequest request;
   request.name = flags.model;
-  request.model = ReadCoupledModel(flags.model);
+  const std::string text = ReadFile(flags.model);
+  request.model = ParseCoupledModel(flags.model, text);
   request.limits_name = flags.limits;
   request.limits = ParseCoupledLimits(flags.limits, ReadFile(flags.limits));
   request.seed = flags.seed;
@@ -57,6 +60,9 @@ CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags, const Vehicle* vehic
   for (const std::string& name : SplitAtCommas(flags.dofs)) {
     request.dofs.push_back(ParseFlag("dofs", name, ParseDof));
   }
+  VerdictRivals open = ReadVerdictRivals(flags.model, text, request.model);
+  for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
+  request.rivals = std::move(open.pairs);
   request.duration = flags.duration;
   if (!std::isnan(flags.duration)) {
     RequirePlannableDuration(flags.duration);
@@ -95,6 +101,7 @@ int RunCoupledPlan(const CoupledPlanFlags& flags) {
   }
   PrintText(stdout, CoupledPlanSentence(plan) + "\n\n");
   fmt::print("{}", FormatTable(PlannedEntryTable(plan)));
+  if (!plan.separations.empty()) fmt::print("\n{}", FormatTable(CoupledSeparationTable(plan)));
   for (const std::string& line : CoupledPlanComments(request, plan)) {
     PrintText(stdout, "note: " + line + "\n");
   }

@@ -10,7 +10,7 @@ namespace fathom {
 
 // What fathom_plan is asked for of a model of several DOFs.
 struct CoupledPlanFlags {
-  std::string model;    // its file
+  std::string model;    // its file, or that of a verdict
   std::string limits;   // the file; it must be given
   std::string dofs;     // to command, comma-separated; empty: those that the limits name
   double duration = 0;  // [s]; NaN: the limits file's
