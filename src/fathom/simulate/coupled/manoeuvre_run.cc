@@ -3,6 +3,7 @@
 
 #include "fathom/simulate/coupled/manoeuvre_run.h"
 
+#include "fathom/simulate/coupled/lagged.h"
 #include "fathom/simulate/coupled/steering.h"
 #include "fathom/simulate/coupled/steering_gear.h"
 
@@ -85,6 +86,12 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
   });
   // The rudder's is in the angle of each step; the other fins stay.
   driven.fin_rate_limit.clear();
+  // A step is a run of its own and knows nothing of the last: the rudder's lag is below, thrust is
+  // steady, and an offset is one of a log's clocks.
+  driven.thruster_lag = driven.time_offset = 0.0;
+  driven.fin_lag.clear();
+  const auto lag = rudder ? model.fin_lag.find(fins[*rudder].name) : model.fin_lag.end();
+  const double rudder_lag = lag == model.fin_lag.end() ? 0.0 : lag->second;
   const double rudder_rate = RudderRate(model, fins, options);
   CoupledState state;
   state.nu[0] = options.ahead;
@@ -93,14 +100,14 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
   Helmsman helmsman(
       manoeuvre, options.rudder_delay, kSettleSteps * options.step, kHeldShare * options.longest);
   const bool is_held = !HeldOrders(manoeuvre).empty();
-  double angle = 0.0, heading = 0.0;
+  double angle = 0.0, turned = 0.0, heading = 0.0;  // of the gear, and of the rudder behind it
   CoupledStamps stamps;
   stamps.pose = {options.step};
   CoupledOutputs outputs;
   for (int k = 0;; ++k) {
     const double t = options.step * k;
     track.time.push_back(t);
-    track.angle.push_back(to_starboard * angle);
+    track.angle.push_back(to_starboard * turned);
     track.heading.push_back(heading);
     track.state.push_back(state);
     helmsman.See({t, state.nu[0], heading, state.nu[5]});
@@ -113,7 +120,13 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
                                  rudder_rate,
                                  turns_within ? wait : 0.0,
                                  options.step);
-      inputs.command.fins[*rudder].angle = {to_starboard * gear.mean};
+      const Lagged<double> lagged = {gear.mean, turned, 0.0};
+      const double mean = rudder_lag > 0.0
+                              ? gear.mean + rudder_lag / options.step *
+                                                (turned - lagged.At(options.step, rudder_lag))
+                              : gear.mean;
+      inputs.command.fins[*rudder].angle = {to_starboard * mean};
+      turned = rudder_lag > 0.0 ? lagged.At(options.step, rudder_lag) : gear.end;
       angle = gear.end;
     }
     if (!RunCoupled(driven, inputs, state, stamps, &outputs)) return std::nullopt;

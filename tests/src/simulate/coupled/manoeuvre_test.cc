@@ -202,6 +202,22 @@ TEST(SteeringOf, NeedsARudderAndAYaw) {
 }
 
 // A rudder that answers later: the heading goes on for so long, at about the same rate.
+// The lag goes on from step to step; an offset of clocks is none of the vehicle.
+TEST(RunManoeuvre, TurnsItsRudderWithItsLag) {
+  CoupledModel model = YawOnly();
+  model.fin_lag[OneRudder().front().name] = 0.8;
+  model.time_offset = 0.3;
+  const Manoeuvre circle = ParseManoeuvre("turning_circle:20");
+  const auto prompt = RunManoeuvre(YawOnly(), OneRudder(), circle, {});
+  const auto lagging = RunManoeuvre(model, OneRudder(), circle, {});
+  ASSERT_TRUE(prompt && lagging);
+  for (std::size_t k = 0; k < 30; ++k) {
+    const double share = 1.0 - std::exp(-lagging->time[k] / 0.8);
+    EXPECT_NEAR(lagging->angle[k], share * prompt->angle.back(), 1e-9) << k;
+  }
+  EXPECT_NEAR(lagging->state.back().nu[5], prompt->state.back().nu[5], 1e-4);
+}
+
 TEST(RunManoeuvre, OvershootsMoreTheLaterTheRudderAnswers) {
   const Manoeuvre zigzag = ParseManoeuvre("zigzag:1/1");
   const auto overshoot = [&](double delay) {
