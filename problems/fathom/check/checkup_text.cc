@@ -3,6 +3,7 @@
 
 #include "fathom/check/checkup_text.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/base/interval95.h"
 #include "fathom/findings/advice.h"
 #include "fathom/findings/explain_first.h"
@@ -377,7 +378,7 @@ std::string FormatCheckupJson(const LogCheckup& checkup) {
                      {"findings", JsonOf<Json>(checkup.findings)},
                      {"dofs", std::move(dofs)},
                      {"remarks", std::move(remarks)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 Table CheckedLogsTable(const std::vector<CheckedLog>& logs) {

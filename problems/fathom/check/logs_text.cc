@@ -3,6 +3,7 @@
 
 #include "fathom/check/logs_text.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/check/left_out_dofs.h"
 #include "fathom/check/listed_findings.h"
 #include "fathom/check/logs_verdict.h"
@@ -179,7 +180,7 @@ std::string FormatLogsJson(const std::vector<CheckedLog>& logs, std::span<const 
                      {"logs", std::move(of_logs)},
                      {"dofs", std::move(of_dofs)},
                      {"left_out", LeftOutDofs(logs)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 std::string RenderLogsPage(const std::vector<CheckedLog>& logs,

@@ -3,6 +3,7 @@
 
 #include "fathom/comparison/comparison_file.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/comparison/recommendation.h"
 #include "fathom/findings/finding_json.h"
 
@@ -62,7 +63,7 @@ std::string FormatComparison(const Comparison& comparison) {
                      {"noise_nmae", noise},
                      {"rows", rows},
                      {"findings", findings}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

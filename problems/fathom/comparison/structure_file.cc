@@ -3,6 +3,7 @@
 
 #include "fathom/comparison/structure_file.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/comparison/structure_text.h"
 
 #include <array>
@@ -63,7 +64,7 @@ std::string FormatStructures(const StructureComparison& comparison) {
                               {"sentence", StructureSentence(comparison)},
                               {"rows", rows},
                               {"remarks", comparison.remarks}};
-  return json.dump(2, ' ', false, StructureJson::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

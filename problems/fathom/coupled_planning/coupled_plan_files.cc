@@ -3,6 +3,7 @@
 
 #include "fathom/coupled_planning/coupled_plan_files.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/planning/experiment_head.h"
 #include "fathom/planning/ordinary_sine.h"
 #include "fathom/planning/plan_entries.h"
@@ -116,7 +117,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                             {"sine", AxisSinesJson(plan)},
                             {"thrusters", SharesJson(plan)},
                             {"blocks", WrenchBlocksJson(plan, request.limits.shortest_hold)}};
-  return json.dump(2, ' ', false, CoupledJson::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 std::string FormatWrenchCommand(const CoupledPlan& plan) {

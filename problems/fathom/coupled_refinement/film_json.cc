@@ -3,6 +3,7 @@
 
 #include "fathom/coupled_refinement/film_json.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/coupled_refinement/film_text.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/figures_entry.h"
@@ -50,7 +51,7 @@ std::string FormatFilmRefinementJson(const FilmRefinement& refinement,
                {"outliers", num_outliers},
                {"remarks", refinement.remarks}};
   if (path) json["path"] = {{"of_pnp", JsonOf(path->of_pnp)}, {"refined", JsonOf(path->refined)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #include "fathom/free_decay/decay_text.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/table.h"
@@ -252,7 +253,7 @@ std::string FormatDecayJson(const LogDecay& decay, const std::string& log) {
                      {"rms", number(decay.summary.rms)},
                      {"notes", decay.notes},
                      {"caveats", decay.summary.caveats}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 std::optional<FittedModel> ModelOf(const LogDecay& decay) {

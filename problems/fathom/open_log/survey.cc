@@ -3,6 +3,7 @@
 
 #include "fathom/open_log/survey.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log.h"
@@ -236,7 +237,7 @@ std::string FormatSurvey(const Survey& survey) {
                      {"needs_tracking", survey.needs_tracking},
                      {"dofs", dofs},
                      {"undriven", undriven}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 Survey ParseSurvey(std::string_view text) {

@@ -3,6 +3,8 @@
 
 #include "fathom/ordinary_dives/ordinary_file.h"
 
+#include "fathom/base/files/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -74,7 +76,7 @@ std::string FormatOrdinaryDives(const OrdinaryRequest& request, const OrdinaryDi
                             {"all", StdsJson(dives, dives.all)},
                             {"stretches", StretchesJson(request, dives)},
                             {"remedies", RemediesJson(dives)}};
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

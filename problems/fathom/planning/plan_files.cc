@@ -3,6 +3,7 @@
 
 #include "fathom/planning/plan_files.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/planning/experiment_head.h"
 #include "fathom/planning/plan_entries.h"
 
@@ -74,7 +75,7 @@ std::string FormatPlan(const PlanRequest& request, const ExperimentPlan& plan) {
         {"offset", plan.sine.offset}}},
       {"thrusters", ThrustersJson(request)},
       {"blocks", BlocksJson(plan, request.limits.shortest_hold)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 std::string FormatPlannedCommand(Dof dof, const ExperimentPlan& plan) {

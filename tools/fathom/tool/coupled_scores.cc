@@ -3,6 +3,7 @@
 
 #include "fathom/tool/coupled_scores.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/report/format_value.h"
@@ -126,7 +127,7 @@ std::string CoupledScoresJson(std::span<const CoupledScore> scores, double horiz
     json = {{"schema", "fathom-coupled-scores-1"}, {"scores", Json::array()}};
     for (const CoupledScore& score : scores) json["scores"].push_back(JsonOf(score, horizon));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

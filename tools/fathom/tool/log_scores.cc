@@ -3,6 +3,7 @@
 
 #include "fathom/tool/log_scores.h"
 
+#include "fathom/base/files/json_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/findings/finding_json.h"
 #include "fathom/findings/inertia_check.h"
@@ -153,7 +154,7 @@ std::string LogScoresJson(std::span<const LogScore> scores, const FittedModel& m
     json = {{"schema", "fathom-scores-1"}, {"scores", Json::array()}};
     for (const LogScore& score : scores) json["scores"].push_back(FormatScore(score, model));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

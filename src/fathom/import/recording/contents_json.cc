@@ -3,6 +3,8 @@
 
 #include "fathom/import/recording/contents_json.h"
 
+#include "fathom/base/files/json_text.h"
+
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -38,7 +40,7 @@ std::string FormatContents(const Contents& contents) {
                {"channels", Json::array()},
                {"remarks", contents.remarks}};
   for (const Channel& channel : contents.channels) json["channels"].push_back(JsonOf(channel));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fathom

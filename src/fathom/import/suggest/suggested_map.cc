@@ -3,6 +3,8 @@
 
 #include "fathom/import/suggest/suggested_map.h"
 
+#include "fathom/base/files/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace fathom {
@@ -18,12 +20,10 @@ bool SuggestedMap::NamesAStream() const {
 
 std::string FormatSuggestion(const SuggestedMap& map) {
   using Json = nlohmann::ordered_json;
-  return Json{{"schema", "fathom-suggestion-1"},
-              {"ready", map.is_ready},
-              {"needs_vehicle", map.needs_vehicle},
-              {"map", map.text}}
-             .dump(2, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+  return JsonText(Json{{"schema", "fathom-suggestion-1"},
+                       {"ready", map.is_ready},
+                       {"needs_vehicle", map.needs_vehicle},
+                       {"map", map.text}});
 }
 
 }  // namespace fathom

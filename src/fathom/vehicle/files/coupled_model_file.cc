@@ -4,6 +4,7 @@
 #include "fathom/vehicle/files/coupled_model_file.h"
 
 #include "fathom/base/files/input_file.h"
+#include "fathom/base/files/json_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
 #include "fathom/vehicle/files/effect_entries.h"
@@ -193,7 +194,7 @@ std::string FormatCoupledModel(const FittedCoupledModel& fitted) {
                      {"caveats", fitted.caveats},
                      {"provenance", fitted.provenance},
                      {"log_fingerprints", fitted.log_fingerprints}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 FittedCoupledModel ParseCoupledModel(const std::string& name, std::string_view text) {

@@ -4,6 +4,7 @@
 #include "fathom/vehicle/files/model_file.h"
 
 #include "fathom/base/files/input_file.h"
+#include "fathom/base/files/json_text.h"
 #include "fathom/vehicle/files/figures_entry.h"
 
 #include <cmath>
@@ -85,7 +86,7 @@ std::string FormatModel(const FittedModel& fitted) {
   if (!fitted.thruster_shares.empty()) json["thruster_shares"] = fitted.thruster_shares;
   if (!fitted.logs.empty()) json["logs"] = fitted.logs;
   if (!fitted.log_fingerprints.empty()) json["log_fingerprints"] = fitted.log_fingerprints;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 FittedModel ReadModel(const std::filesystem::path& path) {
