@@ -6,18 +6,14 @@
 #include "fathom/planning/drawn_models.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace fathom {
 namespace {
 
 constexpr int kMostDraws = 300;  // of one model
 
-CoupledModel DrawnModel(const FittedCoupledModel& fitted,
-                        const Eigen::MatrixXd& factor,
-                        RandomStream& random) {
-  Eigen::VectorXd normal(factor.cols());
-  for (double& value : normal) value = random.Normal();
-  const Eigen::VectorXd step = factor * normal;
+CoupledModel ModelAt(const FittedCoupledModel& fitted, const Eigen::VectorXd& step) {
   CoupledModel model = fitted.model;
   for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
     const FreeEntry& entry = fitted.entries[k];
@@ -33,23 +29,18 @@ std::vector<CoupledModel> DrawCoupledModels(const FittedCoupledModel& fitted,
                                             int count,
                                             const std::string& name,
                                             RandomStream& random) {
-  const Eigen::MatrixXd factor = KnownFactor(fitted.covariance, name);
   const bool is_passive = IsPassive(fitted.model);
   const auto is_physical = [&](const CoupledModel& model) {
     return IsPositiveDefinite(model.inertia, model.dofs) && (!is_passive || IsPassive(model)) &&
            model.thruster_lag >= 0.0;
   };
   std::vector<CoupledModel> models;
-  while (static_cast<int>(models.size()) < count) {
-    CoupledModel drawn = DrawnModel(fitted, factor, random);
-    for (int trial = 1; trial < kMostDraws && !is_physical(drawn); ++trial) {
-      drawn = DrawnModel(fitted, factor, random);
-    }
-    if (!is_physical(drawn)) {
-      RefuseDraws(name);
-    }
-    models.push_back(drawn);
-  }
+  DrawSteps({fitted.covariance, name, count, kMostDraws}, random, [&](const Eigen::VectorXd& step) {
+    CoupledModel drawn = ModelAt(fitted, step);
+    if (!is_physical(drawn)) return false;
+    models.push_back(std::move(drawn));
+    return true;
+  });
   return models;
 }
 

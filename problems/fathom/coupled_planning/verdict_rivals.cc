@@ -4,6 +4,7 @@
 #include "fathom/coupled_planning/verdict_rivals.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/planning/open_causes.h"
 #include "fathom/vehicle/files/json_value.h"
 
 #include <algorithm>
@@ -46,9 +47,7 @@ VerdictRivals ReadVerdictRivals(const std::string& name,
                                 const FittedCoupledModel& fitted) {
   VerdictRivals rivals;
   const JsonValue file = JsonValue::Parse(name, text);
-  const auto verdict = file.MemberIfThere("verdict");
-  if (!verdict || verdict->Text() != "ambiguous") return rivals;
-  for (const JsonValue& cause : file.Member("causes").List()) {
+  for (const JsonValue& cause : AmbiguousCauses(file)) {
     const FreeEntry named = NamedIn(cause, fitted);
     const JsonValue alternatives = cause.Member("alternatives");
     for (const std::string& alternative : alternatives.Texts()) {

@@ -47,8 +47,6 @@ Eigen::VectorXd ValuesOf(const ExtendedModel& model) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-}  // namespace
-
 Eigen::MatrixXd KnownFactor(const Eigen::MatrixXd& covariance, const std::string& name) {
   if (!covariance.allFinite() || covariance.diagonal().minCoeff() < 0.0) {
     throw InputError(
@@ -59,32 +57,41 @@ Eigen::MatrixXd KnownFactor(const Eigen::MatrixXd& covariance, const std::string
   return CovarianceFactor(covariance);
 }
 
-void RefuseDraws(const std::string& name) {
-  throw InputError(fmt::format(
-      "{}: nearly all models within its intervals are impossible (inertia or damping below 0), "
-      "expected a model that its log determines: fly some steps first.",
-      name));
+}  // namespace
+
+void DrawSteps(const DrawnSteps& of,
+               RandomStream& random,
+               const std::function<bool(const Eigen::VectorXd&)>& take) {
+  const Eigen::MatrixXd factor = KnownFactor(of.covariance, of.name);
+  Eigen::VectorXd normal(factor.cols());
+  const auto is_taken = [&] {
+    for (double& value : normal) value = random.Normal();
+    return take(factor * normal);
+  };
+  for (int i = 0; i < of.count; ++i) {
+    int trial = 1;
+    while (!is_taken()) {
+      if (++trial <= of.most_trials) continue;
+      throw InputError(fmt::format(
+          "{}: nearly all models within its intervals are impossible (inertia or damping below 0), "
+          "expected a model that its log determines: fly some steps first.",
+          of.name));
+    }
+  }
 }
 
 std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
                                       int count,
                                       const std::string& name,
                                       RandomStream& random) {
-  const Eigen::MatrixXd factor = KnownFactor(fitted.covariance, name);
   const Eigen::VectorXd centre = ValuesOf(fitted.Extended());
   std::vector<ExtendedModel> models;
-  while (static_cast<int>(models.size()) < count) {
-    std::optional<ExtendedModel> drawn;
-    for (int trial = 0; trial < kMostTrials && !drawn; ++trial) {
-      Eigen::VectorXd normal(centre.size());
-      for (double& value : normal) value = random.Normal();
-      drawn = WithParameters(fitted.Extended(), centre + factor * normal);
-    }
-    if (!drawn) {
-      RefuseDraws(name);
-    }
-    models.push_back(*std::move(drawn));
-  }
+  DrawSteps(
+      {fitted.covariance, name, count, kMostTrials}, random, [&](const Eigen::VectorXd& step) {
+        auto drawn = WithParameters(fitted.Extended(), centre + step);
+        if (drawn) models.push_back(*std::move(drawn));
+        return drawn.has_value();
+      });
   return models;
 }
 

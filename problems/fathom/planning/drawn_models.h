@@ -7,6 +7,7 @@
 #include "fathom/vehicle/extended_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,17 @@ std::vector<ExtendedModel> DrawModels(const FittedModel& fitted,
                                       const std::string& name,
                                       RandomStream& random);
 
-// The factor of a covariance, CovarianceFactor(). Throws InputError, beginning with `name`, if it
-// is not known.
-Eigen::MatrixXd KnownFactor(const Eigen::MatrixXd& covariance, const std::string& name);
-
-// Throws InputError, beginning with `name`: nearly no draw is physical.
-[[noreturn]] void RefuseDraws(const std::string& name);
+// Steps from what was fitted, drawn with its covariance. `take` gets one and says whether it leads
+// to a model that is physical: it gets another while it does not, `most_trials` at most, and this
+// until `count` are taken. Throws InputError as DrawModels() does.
+struct DrawnSteps {
+  const Eigen::MatrixXd& covariance;
+  const std::string& name;
+  int count = 0;
+  int most_trials = 0;
+};
+void DrawSteps(const DrawnSteps& of,
+               RandomStream& random,
+               const std::function<bool(const Eigen::VectorXd&)>& take);
 
 }  // namespace fathom

@@ -4,7 +4,6 @@
 #include "fathom/planning/open_causes.h"
 
 #include "fathom/vehicle/files/effect_entries.h"
-#include "fathom/vehicle/files/json_value.h"
 
 #include <algorithm>
 #include <optional>
@@ -76,17 +75,23 @@ void AddAlternatives(const JsonValue& cause,
 
 }  // namespace
 
+std::vector<JsonValue> AmbiguousCauses(const JsonValue& file) {
+  const auto verdict = file.MemberIfThere("verdict");
+  if (!verdict || verdict->Text() != "ambiguous") return {};
+  return file.Member("causes").List();
+}
+
 OpenCauses ReadOpenCauses(const std::string& name,
                           std::string_view text,
                           const FittedModel& fitted) {
   OpenCauses open;
   const JsonValue file = JsonValue::Parse(name, text);
-  const auto verdict = file.MemberIfThere("verdict");
-  if (!verdict || verdict->Text() != "ambiguous") return open;
+  const std::vector<JsonValue> causes = AmbiguousCauses(file);
+  if (causes.empty()) return open;
   open.scatter = file.NumberIfThere("noise_nmae") * fitted.train.mae / fitted.train.nmae;
   const std::vector<JsonValue> candidates = file.Member("candidates").List();
   std::string leader;
-  for (const JsonValue& cause : file.Member("causes").List()) {
+  for (const JsonValue& cause : causes) {
     leader += (leader.empty() ? "" : " + ") + cause.Member("effect").Text();
     AddAlternatives(cause, candidates, fitted, &open);
   }

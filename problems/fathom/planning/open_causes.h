@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/planning/rival_model.h"
+#include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/fitted_model.h"
 
 #include <limits>
@@ -24,6 +25,10 @@ struct OpenCauses {
 
   std::vector<std::string> left_out;  // the other alternatives, with the reason: a sentence each
 };
+
+// The `causes` of a verdict file that is `ambiguous`, each with its `alternatives`; none of a
+// verdict that is not, and of a model file.
+std::vector<JsonValue> AmbiguousCauses(const JsonValue& file);
 
 // From the text of a verdict file ("fathom-verdict-1") and the model in it; `name` stands for the
 // file in messages. None of a verdict that is not `ambiguous`, and of a model file. An alternative

@@ -56,11 +56,8 @@ class CornerCost final : public ceres::CostFunction {
     size_t block = 0;
     if (!of_.moving.empty()) {
       if (double* const out = jacobians[block++]; out != nullptr) {
-        for (int row = 0; row < 8; ++row) {
-          for (size_t i = 0; i < of_.moving.size(); ++i) {
-            out[row * of_.moving.size() + i] = rows.by_pose(row, of_.moving[i]);
-          }
-        }
+        Eigen::Map<RowMajor>(out, 8, static_cast<Eigen::Index>(of_.moving.size())) =
+            rows.by_pose(Eigen::all, of_.moving);
       }
     }
     const bool is_model_held = std::all_of(

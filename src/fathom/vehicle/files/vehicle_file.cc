@@ -38,6 +38,15 @@ Eigen::Vector3d Vector(const YamlMap& map, std::string_view key) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+Eigen::Vector3d UnitVector(const YamlMap& map, std::string_view key) {
+  const Eigen::Vector3d vector = Vector(map, key);
+  const double length = vector.stableNorm();
+  if (!(std::abs(length - 1.0) <= 1e-3)) {
+    map.Fail(key, fmt::format("has length {:.6g}, expected a unit vector (within 0.001).", length));
+  }
+  return vector;
+}
+
 Eigen::Vector3d ReadSize(const YamlMap& map) {
   Eigen::Vector3d size = Vector(map, "size");
   if (!(size.minCoeff() > 0.0)) {
@@ -117,12 +126,7 @@ Thruster ReadThruster(const YamlMap& map, const std::vector<ThrustTable>& tables
   Thruster thruster;
   thruster.name = map.Name("name");
   thruster.position = Vector(map, "position");
-  thruster.direction = Vector(map, "direction");
-  const double length = thruster.direction.stableNorm();
-  if (!(std::abs(length - 1.0) <= 1e-3)) {
-    map.Fail("direction",
-             fmt::format("has length {:.6g}, expected a unit vector (within 0.001).", length));
-  }
+  thruster.direction = UnitVector(map, "direction");
   thruster.thrust_table = map.String("thrust_table", "");
   if (!thruster.thrust_table.empty()) {
     const auto found = std::find_if(tables.begin(), tables.end(), [&](const auto& t) {
@@ -156,12 +160,7 @@ Fin ReadFin(const YamlMap& map) {
   Fin fin;
   fin.name = map.Name("name");
   fin.position = Vector(map, "position");
-  fin.axis = Vector(map, "axis");
-  const double length = fin.axis.stableNorm();
-  if (!(std::abs(length - 1.0) <= 1e-3)) {
-    map.Fail("axis",
-             fmt::format("has length {:.6g}, expected a unit vector (within 0.001).", length));
-  }
+  fin.axis = UnitVector(map, "axis");
   if (!(fin.axis.tail<2>().norm() > 0.1)) {
     map.Fail("axis", "is along x, expected the span of the fin, which stands across the flow.");
   }
