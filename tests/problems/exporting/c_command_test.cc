@@ -3,7 +3,6 @@
 
 #include "fathom/exporting/c_command.h"
 
-#include "fathom/base/input_error.h"
 #include "fathom/exporting/c_header.h"
 #include "fathom/exporting/model_in_format.h"
 #include "fathom/simulate/coupled/coupled_simulation.h"
@@ -12,11 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "compiled_c.h"
+#include "error_from.h"
 #include "generic_models.h"
 #include "written_out_rate.h"
 #include <fmt/format.h>
@@ -199,32 +198,23 @@ TEST(CCommand, TurnsFinsOfALimitedRateTowardsTheirOrders) {
   EXPECT_NEAR(numbers[3], -0.0375, 1e-15);
 }
 
-std::string Refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(CCommand, AsksForTheVehicleFileThatHasTheFins) {
   const ExportModel model = ExportModelOf(Ship(), "ship.json");
   ExportTarget target = Target();
   std::erase_if(target.vehicle->fins, [](const Fin& fin) { return fin.name == "rudder"; });
-  EXPECT_EQ(Refusal([&] { CommandInC(model, target); }),
+  EXPECT_EQ(ErrorFrom([&] { CommandInC(model, target); }),
             "--vehicle: has no fin of that name, expected the file that says where the model's fin "
             "rudder stands.");
   target.vehicle.reset();
-  EXPECT_THAT(Refusal([&] { CommandInC(model, target); }), HasSubstr("--vehicle: is missing"));
+  EXPECT_THAT(ErrorFrom([&] { CommandInC(model, target); }), HasSubstr("--vehicle: is missing"));
 }
 
 TEST(Export, RefusesFinsAndLiftWhereTheFormatHasNoPlaceForThem) {
   const ExportModel ship = ExportModelOf(Ship(), "ship.json");
-  EXPECT_EQ(Refusal([&] { Export(ship, Target(), ExportFormat::kMss); }),
+  EXPECT_EQ(ErrorFrom([&] { Export(ship, Target(), ExportFormat::kMss); }),
             "--model: has fin_force.askew, which --format=mss does not hold; expected one of c, "
             "csv.");
-  EXPECT_EQ(Refusal([&] { Export(ship, Target(), ExportFormat::kGazebo); }),
+  EXPECT_EQ(ErrorFrom([&] { Export(ship, Target(), ExportFormat::kGazebo); }),
             "--model: has lift.sway, which --format=gazebo does not hold; expected one of c, csv, "
             "mss.");
   EXPECT_THAT(Export(ship, Target(), ExportFormat::kCsv).text,

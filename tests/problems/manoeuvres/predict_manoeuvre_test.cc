@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/base/input_error.h"
 #include "fathom/manoeuvres/manoeuvre_page.h"
 #include "fathom/manoeuvres/manoeuvre_prediction.h"
 
@@ -10,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "error_from.h"
 #include "steered_log.h"
 #include <Eigen/Core>
 #include <gmock/gmock.h>
@@ -67,34 +67,25 @@ TEST(PredictManoeuvre, StopsWithTheIntervalOfTheMass) {
   EXPECT_THAT(doubted.sentences.front(), testing::HasSubstr("pushes ahead with 12 N"));
 }
 
+std::string Refusal(const FittedCoupledModel& model, const Log& log, const char* manoeuvre) {
+  return ErrorFrom([&] { PredictManoeuvre(model, log, ParseManoeuvre(manoeuvre), {}); });
+}
+
 TEST(PredictManoeuvre, RefusesAStopThatNothingDrives) {
-  const Manoeuvre stop = ParseManoeuvre("stop");
-  try {
-    PredictManoeuvre(BoatModel(), DrivenLog("", 0.0), stop, {});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("no propulsion: its mean force ahead is 0"));
-  }
+  EXPECT_THAT(Refusal(BoatModel(), DrivenLog("", 0.0), "stop"),
+              testing::HasSubstr("no propulsion: its mean force ahead is 0"));
   FittedCoupledModel yaw = BoatModel();
   yaw.model.dofs = {Dof::kYaw};
-  try {
-    PredictManoeuvre(yaw, DrivenLog("", 5.0), stop, {});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("the model moves no surge"));
-  }
+  EXPECT_THAT(Refusal(yaw, DrivenLog("", 5.0), "stop"),
+              testing::HasSubstr("the model moves no surge"));
 }
 
 TEST(PredictManoeuvre, RefusesToSteerWithoutARudder) {
   Log log = DrivenLog("", 40.0);
   log.fins.reset();
   for (const char* steered : {"zigzag:10/10", "turning_circle:35"}) {
-    try {
-      PredictManoeuvre(BoatModel(), log, ParseManoeuvre(steered), {});
-      FAIL();
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("no fin turns the vehicle, expected a rudder"));
-    }
+    EXPECT_THAT(Refusal(BoatModel(), log, steered),
+                testing::HasSubstr("no fin turns the vehicle, expected a rudder"));
   }
 }
 

@@ -4,11 +4,11 @@
 #include "fathom/marker_trajectory/camera_source.h"
 
 #include "fathom/base/files/output_file.h"
-#include "fathom/base/input_error.h"
 #include "fathom/camera/detections_file.h"
 #include "fathom/log/read_log.h"
 #include "fathom/signal/signals.h"
 
+#include "error_from.h"
 #include "synthetic_views.h"
 #include "test_folder.h"
 #include <gmock/gmock.h>
@@ -108,14 +108,10 @@ TEST(CameraSource, SaysWhyNoTrajectoryCameOfIt) {
             "family: tag36h11\ntags: [{id: 7, size: 0.4, world_from_tag: {position: [3, 0, 0], "
             "quaternion: [0.5, 0.5, 0.5, 0.5]}}]\n");
   Log log = ReadLog(folder);
-  try {
-    TrackDetections(&log);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("detections.csv: 0 of 600 frames with detections gave a pose"));
-    EXPECT_THAT(error.what(), HasSubstr("Set aside as unknown id: 600 of 600"));
-  }
+  EXPECT_THAT(
+      ErrorFrom([&] { TrackDetections(&log); }),
+      testing::AllOf(HasSubstr("detections.csv: 0 of 600 frames with detections gave a pose"),
+                     HasSubstr("Set aside as unknown id: 600 of 600")));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "fathom/base/files/exists.h"
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/files/output_file.h"
-#include "fathom/base/input_error.h"
 
 #include <filesystem>
 #include <fstream>
@@ -13,7 +12,7 @@
 
 #include "error_from.h"
 #include "test_folder.h"
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -36,13 +35,8 @@ TEST(Files, AnEmptyFileIsReadAsEmpty) {
 TEST(Files, WritingOverAFolderIsRefusedAndLeavesNothingBehind) {
   const auto folder = TestFolder() / "parent" / "child";
   std::filesystem::create_directories(folder / "content");
-  try {
-    WriteFile(folder, "x");
-    ADD_FAILURE() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find(folder.string() + ": cannot write this file: "), 0u)
-        << error.what();
-  }
+  EXPECT_THAT(ErrorFrom([&] { WriteFile(folder, "x"); }),
+              testing::StartsWith(folder.string() + ": cannot write this file: "));
   for (const auto& entry : std::filesystem::directory_iterator(TestFolder() / "parent")) {
     EXPECT_EQ(entry.path(), folder);
   }

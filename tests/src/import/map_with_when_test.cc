@@ -43,12 +43,7 @@ std::optional<SuggestedMap> Fitted(const MapWithWhen& map, const Contents& conte
 }
 
 std::string ProblemOf(const std::string& text) {
-  try {
-    MapWithWhen("lab.yaml", text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { MapWithWhen("lab.yaml", text); });
 }
 
 TEST(MapWithWhen, IsForARecordingThatMeetsEveryCondition) {

@@ -370,15 +370,23 @@ TEST(Mcap, IsNotUnpackedWhereAChunkIsABomb) {
   }
 }
 
-TEST(Rosbag2, UnpacksMessagesThatAreCompressedOneByOne) {
+// A rosbag2 database a.db3 of /depth; `messages` as values of SQL, may be none.
+std::filesystem::path DepthDatabase(const std::string& messages) {
   const auto path = ScratchFile("a.db3", "");
+  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
+  database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
+  database.exec(
+      "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+      "BLOB)");
+  database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
+  if (!messages.empty()) database.exec("INSERT INTO messages VALUES " + messages);
+  return path;
+}
+
+TEST(Rosbag2, UnpacksMessagesThatAreCompressedOneByOne) {
+  const auto path = DepthDatabase("");
   {
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
-    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
-    database.exec(
-        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
-        "BLOB)");
-    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
     SQLite::Statement insert(database, "INSERT INTO messages VALUES (?, 1, ?, ?)");
     for (int i = 0; i < 3; ++i) {
       const std::string message = std::string("\0\1\0\0", 4) + Bytes(0.5 * i);
@@ -400,17 +408,7 @@ TEST(Rosbag2, UnpacksMessagesThatAreCompressedOneByOne) {
 
 // As `ros2 bag record --compression-mode file` writes them.
 TEST(Rosbag2, IsUnpackedWhereItIsCompressedAsAWhole) {
-  const auto plain = ScratchFile("a.db3", "");
-  {
-    SQLite::Database database(plain.string(), SQLite::OPEN_READWRITE);
-    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
-    database.exec(
-        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
-        "BLOB)");
-    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
-    database.exec(
-        "INSERT INTO messages VALUES (1, 1, 1500000000500000000, x'000100000000000000002940')");
-  }
+  const auto plain = DepthDatabase("(1, 1, 1500000000500000000, x'000100000000000000002940')");
   const std::string packed = bag::Compressed("zstd", ReadFile(plain));
   const auto recording = OpenRecording(ScratchFile("a.db3.zstd", packed));
   EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows, ElementsAre(ElementsAre(12.5)));
@@ -430,19 +428,9 @@ TEST(Rosbag2, IsUnpackedWhereItIsCompressedAsAWhole) {
 }
 
 TEST(Rosbag2, TellsMessagesOfNoTopic) {
-  const auto path = ScratchFile("a.db3", "");
-  {
-    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
-    database.exec("CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT, type TEXT)");
-    database.exec(
-        "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
-        "BLOB)");
-    database.exec("INSERT INTO topics VALUES (1, '/depth', 'std_msgs/msg/Float64')");
-    database.exec(
-        "INSERT INTO messages VALUES (1, 1, 1500000000500000000, x'000100000000000000002940'),"
-        "(2, 7, 1500000001500000000, x'000100000000000000002940')");
-  }
-  const auto recording = OpenRecording(path);
+  const auto recording =
+      OpenRecording(DepthDatabase("(1, 1, 1500000000500000000, x'000100000000000000002940'),"
+                                  "(2, 7, 1500000001500000000, x'000100000000000000002940')"));
   EXPECT_THAT(ReadAll(*recording, {"/depth", {"data"}}).rows, ElementsAre(ElementsAre(12.5)));
   EXPECT_THAT(recording->contents().remarks, ElementsAre("1 messages belong to no topic."));
 }

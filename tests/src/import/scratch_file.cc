@@ -4,7 +4,6 @@
 #include "scratch_file.h"
 
 #include "fathom/base/files/output_file.h"
-#include "fathom/base/input_error.h"
 
 #include <span>
 
@@ -17,15 +16,6 @@ std::filesystem::path ScratchFile(const std::string& name, const std::string& by
   const std::filesystem::path path = TestFolder() / name;
   WriteFile(path, bytes);
   return path;
-}
-
-std::string ErrorFrom(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 ReadSamples ReadAll(const Recording& recording, const Selection& selection) {

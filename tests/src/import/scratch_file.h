@@ -6,17 +6,15 @@
 #include "fathom/import/recording/recording.h"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
+
+#include "error_from.h"
 
 namespace fathom {
 
 // Writes a file of the running test, and gives its path.
 std::filesystem::path ScratchFile(const std::string& name, const std::string& bytes);
-
-// What an InputError out of `action` says; "no error" if none comes.
-std::string ErrorFrom(const std::function<void()>& action);
 
 // The samples of one selection.
 struct ReadSamples {

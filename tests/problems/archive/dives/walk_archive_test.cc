@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "error_from.h"
 #include "test_folder.h"
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -138,12 +139,7 @@ TEST(WalkArchive, TakesFilesAndFoldersThatArchiveYamlImports) {
 }
 
 std::string NeedsALog(const fs::path& archive) {
-  try {
-    RequireAnyLog(WalkArchive(archive, {}), archive);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorFrom([&] { RequireAnyLog(WalkArchive(archive, {}), archive); });
 }
 
 TEST(WalkArchive, SaysWhatIsThereInPlaceOfLogs) {
@@ -154,7 +150,7 @@ TEST(WalkArchive, SaysWhatIsThereInPlaceOfLogs) {
   Write(archive / "photo.jpg");
   EXPECT_THAT(NeedsALog(archive), testing::HasSubstr("(but 1 .jpg, 2 .txt), expected"));
   Write(archive / "log/log.yaml");
-  EXPECT_EQ(NeedsALog(archive), "");
+  EXPECT_EQ(NeedsALog(archive), "no error");
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include "fathom/base/files/yaml_file.h"
 
-#include "fathom/base/input_error.h"
-
 #include <string>
 
 #include "error_from.h"
@@ -157,15 +155,10 @@ TEST(YamlFile, RefusesAnEmptyFileAndOneThatIsNoMap) {
 }
 
 TEST(YamlFile, ANameHoldsSomethingAndNothingThatATerminalObeys) {
-  const auto error_of = [](const std::string& text) -> std::string {
-    try {
-      return ParseYaml("v.yaml", text).Name("name");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-  };
-  EXPECT_EQ(error_of("name: Fl\xc3\xa4"
-                     "che 7"),
+  const auto name = [](const char* text) { return ParseYaml("v.yaml", text).Name("name"); };
+  const auto error_of = [&](const char* text) { return ErrorFrom([&] { name(text); }); };
+  EXPECT_EQ(name("name: Fl\xc3\xa4"
+                 "che 7"),
             "Fl\xc3\xa4"
             "che 7");
   EXPECT_EQ(error_of("a: 1\nname: \"\""), "v.yaml:2: key 'name' is empty, expected a name.");

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 
 #include "error_from.h"
@@ -29,10 +28,6 @@ constexpr char kTwoThrusters[] =
     "     coefficient: {forward: 0.04, reverse: 0.03}}\n"
     "  - {name: lift, position: [0.1, 0, 0], direction: [0, 0, -1],\n"
     "     coefficient: {forward: 0.02, reverse: 0}}\n";
-
-std::string ErrorOf(const std::function<void()>& action) {
-  return ErrorFrom([&] { action(); });
-}
 
 Vehicle TwoThrusters() { return ParseVehicleFile("v.yaml", kTwoThrusters); }
 
@@ -63,7 +58,7 @@ TEST(ThrusterForces, RefusesAnotherNumberOfThrusters) {
     const Stream command{.time = {0.0},
                          .columns = columns,
                          .values = std::vector<std::vector<double>>(columns.size(), {1.0})};
-    return ErrorOf(
+    return ErrorFrom(
         [&] { ForcesOfThrusts(ThrustsFromSpeeds(command, TwoThrusters()), TwoThrusters()); });
   };
   EXPECT_EQ(error({"thruster_1"}),
@@ -84,7 +79,8 @@ TEST(ThrusterForces, RefusesSpeedsThatGiveNoFiniteForce) {
   const Stream command{
       .time = {2.5}, .columns = {"thruster_1", "thruster_2"}, .values = {{1e200}, {0.0}}};
   EXPECT_EQ(
-      ErrorOf([&] { ForcesOfThrusts(ThrustsFromSpeeds(command, TwoThrusters()), TwoThrusters()); }),
+      ErrorFrom(
+          [&] { ForcesOfThrusts(ThrustsFromSpeeds(command, TwoThrusters()), TwoThrusters()); }),
       "command: the thrusters at t = 2.5 give a force that is not finite, expected speeds in Hz or "
       "thrusts in N.");
 }
@@ -100,7 +96,7 @@ TEST(ThrusterForces, NeedNoCoefficientWhereTheCommandIsInNewton) {
   const Stream forces = ForcesOfThrusts(command, vehicle);
   EXPECT_THAT(*forces.Find("tau_surge"), ElementsAre(4.0));
   EXPECT_THAT(*forces.Find("tau_yaw"), ElementsAre(1.0));
-  EXPECT_THAT(ErrorOf([&] { ThrustsFromSpeeds(command, vehicle); }),
+  EXPECT_THAT(ErrorFrom([&] { ThrustsFromSpeeds(command, vehicle); }),
               AllOf(HasSubstr("thruster 'port' of vehicle 'rov' has no coefficient"),
                     HasSubstr("`thruster_unit: N`")));
 }
