@@ -9,6 +9,8 @@
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
+#include "fathom/check/checked_logs.h"
+#include "fathom/check/checkup_json.h"
 #include "fathom/check/checkup_page.h"
 #include "fathom/check/checkup_text.h"
 #include "fathom/check/log_checkup.h"

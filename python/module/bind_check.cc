@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/check/checkup_json.h"
 #include "fathom/check/checkup_page.h"
 #include "fathom/check/checkup_text.h"
+#include "fathom/check/checkup_verdict.h"
 #include "fathom/check/log_checkup.h"
 
 #include "module/arguments.h"

@@ -4,6 +4,7 @@
 #include "fathom/check/checkup_page.h"
 
 #include "fathom/check/checkup_text.h"
+#include "fathom/check/checkup_verdict.h"
 #include "fathom/check/finding_picture.h"
 #include "fathom/findings/advice.h"
 #include "fathom/report/held_curve.h"

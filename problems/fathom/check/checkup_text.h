@@ -11,16 +11,6 @@
 
 namespace fathom {
 
-// What comes first, in one sentence: what is red, and what can be identified.
-std::string Verdict(const LogCheckup& checkup);
-
-// What to do with this log now: a command, where there is one.
-std::string NextStep(const LogCheckup& checkup);
-
-// Commands that plan the experiment which tells what this log leaves unknown, each for the model
-// file that NextStep() writes; none where all is known, or fathom_plan would refuse the model.
-std::vector<std::string> PlanSteps(const LogCheckup& checkup);
-
 // What the colours of findings mean.
 inline constexpr const char* kColourKey =
     "Red: no model of this log should be believed before this is explained. Yellow: worth knowing. "
@@ -43,20 +33,5 @@ std::vector<std::string> ExcitationSentences(const LogCheckup& checkup, const Do
 
 // All of it for a terminal.
 std::string FormatCheckup(const LogCheckup& checkup);
-
-// As JSON, schema "fathom-check-1"; docs/check.md.
-std::string FormatCheckupJson(const LogCheckup& checkup);
-
-// A row for each log of an archive, or for what could not be opened.
-struct CheckedLog {
-  std::string path;
-  std::string message;  // why it could not be checked; empty: it was
-  LogCheckup checkup;
-};
-
-Table CheckedLogsTable(const std::vector<CheckedLog>& logs);
-
-// The table, and below it why logs could not be read.
-std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs, TableFormat format);
 
 }  // namespace fathom

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/check/checkup_text.h"
+#include "fathom/check/checked_logs.h"
 #include "fathom/findings/information_share.h"
 #include "fathom/identification/run_agreement.h"
 

@@ -4,6 +4,8 @@
 #include "fathom/check/logs_text.h"
 
 #include "fathom/base/files/json_text.h"
+#include "fathom/check/checkup_json.h"
+#include "fathom/check/checkup_text.h"
 #include "fathom/check/left_out_dofs.h"
 #include "fathom/check/listed_findings.h"
 #include "fathom/check/logs_verdict.h"

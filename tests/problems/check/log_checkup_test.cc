@@ -3,7 +3,8 @@
 
 #include "fathom/check/log_checkup.h"
 
-#include "fathom/check/checkup_text.h"
+#include "fathom/check/checkup_json.h"
+#include "fathom/check/checkup_verdict.h"
 #include "fathom/open_log/open_log.h"
 
 #include <cmath>
