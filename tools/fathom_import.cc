@@ -5,18 +5,10 @@
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/input_file.h"
-#include "fathom/base/files/leaves_its_folder.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
-#include "fathom/base/plural.h"
 #include "fathom/base/quoted.h"
-#include "fathom/camera/camera_file.h"
-#include "fathom/camera/mount_file.h"
-#include "fathom/camera/tags_file.h"
-#include "fathom/findings/pose_twist_check.h"
-#include "fathom/findings/stamp_check.h"
-#include "fathom/images/video_reader.h"
 #include "fathom/import/convert/import_log.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
@@ -24,25 +16,20 @@
 #include "fathom/import/suggest/suggest_map.h"
 #include "fathom/log/read_log.h"
 #include "fathom/log/write_log.h"
-#include "fathom/open_log/survey.h"
-#include "fathom/report/table.h"
+#include "fathom/tool/camera_files.h"
 #include "fathom/tool/output_flags.h"
 #include "fathom/tool/output_folder.h"
-#include "fathom/tool/print_findings.h"
+#include "fathom/tool/print_contents.h"
+#include "fathom/tool/print_imported.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/tool.h"
-#include "fathom/tool/wide_flag.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -65,7 +52,6 @@ DEFINE_string(maps,
               "before what the format suggests.");
 DEFINE_bool(suggest, false, "Only print a map for the recording, to be edited.");
 DEFINE_string(json, "", "With --list or --suggest, write that to this JSON file too.");
-DECLARE_bool(wide);
 
 namespace fathom {
 namespace {
@@ -84,66 +70,6 @@ const ToolInfo kInfo = {
     "ArduSub or PX4 needs none, only --vehicle. Map and vehicle file are copied into the log. What "
     "is left out or assumed is told, a line each. A file that is cut or damaged is read as far as "
     "it is sound."};
-
-// "dive.BIN: dataflash, 288 kB, 39 channels, 402 fields"
-std::string Heading(const std::filesystem::path& file, const Contents& contents) {
-  const double kilobytes = static_cast<double>(contents.size_bytes) / 1e3;
-  std::size_t num_fields = 0;
-  for (const Channel& channel : contents.channels) num_fields += channel.fields.size();
-  std::string text = fmt::format("{}: {}, {:.0f} kB, {}, {}",
-                                 ShownOnOneLine(file.string()),
-                                 contents.format,
-                                 kilobytes,
-                                 Plural(contents.channels.size(), "channel"),
-                                 Plural(num_fields, "field"));
-  if (contents.IsComplete()) return text;
-  const double share =
-      static_cast<double>(contents.read_bytes) / static_cast<double>(contents.size_bytes);
-  return text + fmt::format("; incomplete: {} of {} bytes are sound ({:.1f} %)",
-                            contents.read_bytes,
-                            contents.size_bytes,
-                            100.0 * share);
-}
-
-// "Roll [deg], Pitch [deg], ..."; with --wide all of them.
-std::string FieldsText(const Channel& channel) {
-  constexpr std::size_t kMostCharacters = 45;
-  std::string text;
-  for (const Field& field : channel.fields) {
-    const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
-    const std::string entry = (text.empty() ? "" : ", ") + ShownOnOneLine(field.name + unit);
-    if (!FLAGS_wide && text.size() + entry.size() > kMostCharacters) return text + ", ...";
-    text += entry;
-  }
-  return text;
-}
-
-void PrintContents(const std::filesystem::path& file, const Contents& contents) {
-  fmt::print("{}\n\n", Heading(file, contents));
-  Table table;
-  table.columns = {{"channel"},
-                   {"type", false, 3},
-                   {"count", true, 1},
-                   {"first [s]", true, 2},
-                   {"last [s]", true, 2},
-                   {"rate [Hz]", true},
-                   {"fields"}};
-  for (const Channel& channel : contents.channels) {
-    // A rate of two or three messages says nothing.
-    const bool has_span = channel.count > 3 && channel.first && *channel.last > *channel.first;
-    const double span = has_span ? *channel.last - *channel.first : 0.0;
-    table.rows.push_back(
-        {{ShownOnOneLine(channel.name),
-          ShownOnOneLine(channel.type),
-          std::to_string(channel.count),
-          channel.first ? fmt::format("{:.3f}", *channel.first) : "-",
-          channel.last ? fmt::format("{:.3f}", *channel.last) : "-",
-          has_span ? fmt::format("{:.1f}", static_cast<double>(channel.count - 1) / span) : "-",
-          FieldsText(channel)}});
-  }
-  fmt::print("{}", TableForTerminal(table));
-  for (const std::string& remark : contents.remarks) PrintText(stdout, "note: " + remark + "\n");
-}
 
 // How --map says a table is to be read.
 TableOptions TableOptionsFromFlags() {
@@ -255,116 +181,6 @@ std::string NameOf(const std::filesystem::path& path) {
   return std::filesystem::absolute(path / "").parent_path().filename().string();
 }
 
-// Reads one of the map's camera files. What is called otherwise than such a file, or is a link out
-// of the map's folder, may be anybody's: no line of it stands in a message.
-template <typename Read>
-void RequireCameraFile(const std::filesystem::path& file,
-                       const std::filesystem::path& folder,
-                       const char* key,
-                       const char* what,
-                       const Read& read) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) {
-    throw InputError(
-        fmt::format("{}: is not there. The map's camera names it as '{}'.", file.string(), key));
-  }
-  const auto real = std::filesystem::weakly_canonical(file, error);
-  const auto inside = std::filesystem::weakly_canonical(folder / ".", error);
-  const bool is_own = real.extension() == ".yaml" || real.extension() == ".yml";
-  try {
-    read(file);
-  } catch (const InputError&) {
-    if (is_own && !LeavesItsFolder(real.lexically_relative(inside))) throw;
-    throw InputError(fmt::format("{}: is no {}, expected one: the map's camera names it as '{}'.",
-                                 file.string(),
-                                 what,
-                                 key));
-  }
-}
-
-// Throws InputError for a video that is none, or a calibration, tags or mount that are none: before
-// anything of them stands in a log.
-void RequireCameraFiles(const CameraMap& camera, const std::filesystem::path& from) {
-  using Path = std::filesystem::path;
-  RequireCameraFile(from / camera.video, from, "video", "video", [](const Path& file) {
-    const VideoReader video(file);
-  });
-  RequireCameraFile(from / camera.calibration,
-                    from,
-                    "calibration",
-                    "calibration of a camera",
-                    [](const Path& file) { ReadCameraFile(file); });
-  RequireCameraFile(from / camera.tags, from, "tags", "file of tags", [](const Path& file) {
-    ReadTagsFile(file);
-  });
-  RequireCameraFile(from / camera.mount, from, "mount", "mount of a camera", [](const Path& file) {
-    ReadMountFile(file);
-  });
-}
-
-// Puts the video of the map, its calibration, tags and mount into the log's folder: a second name
-// for the video's bytes where the disk allows it, as they may be many.
-void TakeCameraFiles(const CameraMap& camera,
-                     const std::filesystem::path& from,
-                     const std::filesystem::path& to) {
-  for (const auto& [in_log, named] : camera.Files()) {
-    const std::filesystem::path file = from / named;
-    std::error_code error;
-    if (in_log == camera.Files().front().first) {
-      std::filesystem::create_hard_link(file, to / in_log, error);
-      if (!error) continue;
-    }
-    if (!std::filesystem::copy_file(file, to / in_log, error)) {
-      throw InputError(
-          fmt::format("{}: cannot be copied into the log: {}. The map's camera names it.",
-                      file.string(),
-                      error.message()));
-    }
-  }
-}
-
-void PrintStream(const char* file, const std::optional<Stream>& stream) {
-  if (!stream) return;
-  fmt::print("{:<13}{} rows, t = {:.3f} to {:.3f} s\n",
-             file,
-             stream->time.size(),
-             stream->time.front(),
-             stream->time.back());
-}
-
-// What the log looks like before any fit: which DOFs it can identify, and what is wrong with it.
-void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
-  if ((log.command || log.fins || log.shafts) && !log.velocity && !log.pose && !log.video.empty()) {
-    fmt::print(
-        "note: the motion is in the video. This tracks it: fathom_track --log={0} "
-        "--out={0}_tracked\n",
-        folder.string());
-    return;
-  }
-  if (!log.velocity && !log.pose) {
-    fmt::print("note: the map names no motion, so that the log identifies nothing.\n");
-    return;
-  }
-  if (!log.command && !log.fins && !log.shafts) {
-    fmt::print(
-        "note: the map names no command, so that the log is taken for a free decay: it tells "
-        "damping by inertia.\nnext: fathom_check --log={}\n",
-        folder.string());
-    return;
-  }
-  std::vector<Finding> findings = CheckStamps(log);
-  std::ranges::move(CheckPoseAgainstTwist(log), std::back_inserter(findings));
-  for (const SurveyedDof& surveyed : SurveyLog(folder, std::nullopt).dofs) {
-    fmt::print("{}: {}\n",
-               Name(surveyed.dof),
-               surveyed.why_not.empty() ? "can be identified" : surveyed.why_not);
-  }
-  PrintNotes(findings);
-  fmt::print("next: fathom_check --log={}\n", folder.string());
-  std::fflush(stdout);
-  PrintWarnings(findings);
-}
-
 // The log that is replaced; an empty one where there is none.
 Log LogBefore(const std::filesystem::path& folder) {
   try {
@@ -445,9 +261,7 @@ int Run() {
   made.TakePlace();
 
   fmt::print("{}\n", Heading(file, recording->contents()));
-  PrintStream("command.csv", log.command ? log.command : log.fins ? log.fins : log.shafts);
-  PrintStream("velocity.csv", log.velocity);
-  PrintStream("pose.csv", log.pose);
+  PrintStreams(log);
   for (const std::string& remark : imported.remarks) PrintText(stdout, "note: " + remark + "\n");
   PrintFirstLook(folder, log);
   return 0;
