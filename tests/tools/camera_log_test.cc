@@ -10,6 +10,7 @@
 
 #include <set>
 
+#include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "synthetic_views.h"
@@ -124,9 +125,8 @@ TEST(CameraLog, RefusesDetectionsWithoutACalibration) {
   const Path log = WriteCameraLog(folder / "log");
   std::filesystem::remove(log / "mount.yaml");
   for (const char* source : {"--source=camera", "--dof=surge"}) {
-    const ToolRun run = RunToolBinary("fathom_identify", {Flag("log", log), source});
-    EXPECT_EQ(run.exit_code, 1);
-    EXPECT_THAT(run.err, HasSubstr("holds no mount.yaml (the camera's place on the vehicle)"));
+    EXPECT_THAT(ExpectRefusal("fathom_identify", {Flag("log", log), source}),
+                HasSubstr("holds no mount.yaml (the camera's place on the vehicle)"));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include <fmt/format.h>
@@ -102,9 +103,7 @@ TEST(CompareStructures, RefusesWhatItDoesNotKnow) {
             "--window: goes with --structures, expected none: families have no window."}}) {
     std::vector<std::string> arguments = {log};
     arguments.insert(arguments.end(), flags.begin(), flags.end());
-    const ToolRun run = RunToolBinary("fathom_compare", arguments);
-    EXPECT_EQ(run.exit_code, 1) << run.out;
-    EXPECT_THAT(run.err, HasSubstr(message));
+    EXPECT_THAT(ExpectRefusal("fathom_compare", arguments), HasSubstr(message));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "turn_without_command.h"
@@ -187,10 +188,8 @@ TEST(CompareTool, TakesTheFamiliesAndDofsItIsAskedFor) {
 TEST(CompareTool, RefusesWhatIsNamedTwice) {
   for (const auto& [flag, name] : std::vector<std::pair<std::string, std::string>>{
            {"dofs", "surge"}, {"families", "adaptive"}, {"sources", "pose_estimator"}}) {
-    const ToolRun run = RunToolBinary(
-        "fathom_compare", {"--log=" + kFlatfish, "--" + flag + "=" + name + "," + name});
-    EXPECT_EQ(run.exit_code, 1) << run.out;
-    EXPECT_EQ(run.err,
+    EXPECT_EQ(ExpectRefusal("fathom_compare",
+                            {"--log=" + kFlatfish, "--" + flag + "=" + name + "," + name}),
               "fathom_compare: --" + flag + ": names " + name + " twice, expected each once.\n");
   }
 }

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
@@ -276,14 +275,7 @@ TEST(DiagnoseTool, AFewSecondsEndWithExitCodeTwo) {
 // Nothing was commanded and nothing moved: no model, no verdict, and a page that says so.
 TEST(DiagnoseTool, AVehicleAtRestEndsWithExitCodeTwoAndAPageThatSaysWhy) {
   const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  std::string command = "t,tau_surge\n", velocity = "t,u\n";
-  for (int i = 0; i < 300; ++i) {
-    command += std::to_string(0.1 * i) + ",0\n";
-    velocity += std::to_string(0.1 * i) + ",0\n";
-  }
-  WriteTestFile(log / "command.csv", command);
-  WriteTestFile(log / "velocity.csv", velocity);
+  const Path log = WriteStillLog(folder / "log");
   const Path page = folder / "page.html";
   const ToolRun run =
       Diagnosed(log, {Flag("verdict", folder / "verdict.json"), Flag("report", page)});

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "test_folder.h"
+
 namespace fathom {
 
 // Files and folders below `folder`, sorted.
@@ -16,6 +18,6 @@ std::vector<std::string> ListOf(const std::filesystem::path& folder);
 // `folder`, where its outputs would go; gives what it said on stderr.
 std::string ExpectRefusal(const std::string& tool,
                           const std::vector<std::string>& arguments,
-                          const std::filesystem::path& folder);
+                          const std::filesystem::path& folder = TestFolder());
 
 }  // namespace fathom

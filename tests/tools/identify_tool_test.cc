@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
@@ -79,9 +80,8 @@ TEST(IdentifyTool, SaysHowItWeighed) {
   EXPECT_EQ(IdentifiedModel(arguments)["provenance"]["weighting"], "plain");
   auto removed = arguments;
   removed.push_back("--weighting=auto");
-  const ToolRun run = RunToolBinary("fathom_identify", removed);
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("--weighting: is 'auto', expected one of plain, learned."));
+  EXPECT_THAT(ExpectRefusal("fathom_identify", removed),
+              HasSubstr("--weighting: is 'auto', expected one of plain, learned."));
 }
 
 INSTANTIATE_TEST_SUITE_P(TableI,
@@ -169,27 +169,22 @@ TEST(IdentifyTool, GivesEachLogItsOwnOffsetIfAskedTo) {
 }
 
 TEST(IdentifyTool, RefusesOffsetsPerLogOfAFamilyThatHasNone) {
-  const ToolRun run = RunToolBinary(
-      "fathom_identify",
-      {"--log=" + kFlatfish, "--dof=heave", "--offset=per_log", "--family=least_squares"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err,
-              HasSubstr("--offset: is per_log, expected shared: the family least_squares has one "
-                        "offset in all logs."));
-  const ToolRun unknown =
-      RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dof=heave", "--offset=each"});
-  EXPECT_EQ(unknown.exit_code, 1);
-  EXPECT_THAT(unknown.err, HasSubstr("--offset: is 'each', expected one of shared, per_log."));
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_identify",
+          {"--log=" + kFlatfish, "--dof=heave", "--offset=per_log", "--family=least_squares"}),
+      HasSubstr("--offset: is per_log, expected shared: the family least_squares has one "
+                "offset in all logs."));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_identify", {"--log=" + kFlatfish, "--dof=heave", "--offset=each"}),
+      HasSubstr("--offset: is 'each', expected one of shared, per_log."));
 }
 
 TEST(IdentifyTool, RefusesACopyOfALogBesideIt) {
   const Path folder = EmptyTestFolder();
   const std::string copy = (folder / "other").string();
   std::filesystem::copy(kFlatfish, copy, std::filesystem::copy_options::recursive);
-  const ToolRun run =
-      RunToolBinary("fathom_identify", {"--log=" + kFlatfish + "," + copy, "--dof=heave"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err,
+  EXPECT_THAT(ExpectRefusal("fathom_identify", {"--log=" + kFlatfish + "," + copy, "--dof=heave"}),
               HasSubstr("--log: " + kFlatfish + " and " + copy +
                         " hold the same data, expected each log once."));
 }
@@ -211,10 +206,8 @@ TEST(IdentifyTool, ASingleCsvGivesTheSameModelAsTheFolderOfItsColumns) {
 
 TEST(IdentifyTool, RefusesAFlagByItsOwnNameAndRange) {
   for (const std::string flag : {"huber", "shooting_window"}) {
-    const ToolRun run = RunToolBinary("fathom_identify",
-                                      {"--log=" + kFlatfish, "--dof=surge", "--" + flag + "=-1"});
-    EXPECT_EQ(run.exit_code, 1) << run.out;
-    EXPECT_EQ(run.err,
+    EXPECT_EQ(ExpectRefusal("fathom_identify",
+                            {"--log=" + kFlatfish, "--dof=surge", "--" + flag + "=-1"}),
               "fathom_identify: --" + flag + ": is -1, expected 0 (never) or a number above.\n");
   }
 }
@@ -222,14 +215,7 @@ TEST(IdentifyTool, RefusesAFlagByItsOwnNameAndRange) {
 // Nothing moves: no model, and no file that looks like one.
 TEST(IdentifyTool, AVehicleAtRestEndsWithExitCodeTwoAndNoModel) {
   const Path folder = EmptyTestFolder();
-  const Path log = WriteSmallLog(folder / "log");
-  std::string command = "t,tau_surge\n", velocity = "t,u\n";
-  for (int i = 0; i < 300; ++i) {
-    command += std::to_string(0.1 * i) + ",0\n";
-    velocity += std::to_string(0.1 * i) + ",0\n";
-  }
-  WriteTestFile(log / "command.csv", command);
-  WriteTestFile(log / "velocity.csv", velocity);
+  const Path log = WriteStillLog(folder / "log");
   const Path model = folder / "model.json";
   for (const char* family : {"least_squares", "adaptive", "output_error"}) {
     const ToolRun run =
@@ -373,16 +359,13 @@ TEST(IdentifyTool, FreesWhatItIsToldBesideAStructure) {
 
 TEST(IdentifyTool, RefusesDofsThatAreNone) {
   const auto error = [](const std::string& flag) {
-    const ToolRun run = RunToolBinary("fathom_identify", {"--log=" + kFlatfish, flag});
-    EXPECT_EQ(run.exit_code, 1);
-    return run.err;
+    return ExpectRefusal("fathom_identify", {"--log=" + kFlatfish, flag});
   };
   EXPECT_THAT(error("--dofs=surge,up"), HasSubstr("--dofs: is 'up'"));
   EXPECT_THAT(error("--dofs=surge,surge"), HasSubstr("names surge twice"));
-  const ToolRun both =
-      RunToolBinary("fathom_identify", {"--log=" + kFlatfish, "--dofs=surge,yaw", "--dof=surge"});
-  EXPECT_EQ(both.exit_code, 1);
-  EXPECT_THAT(both.err, HasSubstr("--dof: goes with a model of one DOF"));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_identify", {"--log=" + kFlatfish, "--dofs=surge,yaw", "--dof=surge"}),
+      HasSubstr("--dof: goes with a model of one DOF"));
 }
 
 // A command with a column that no model of one DOF reads, and one that nothing reads.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
@@ -182,25 +183,19 @@ TEST_F(SimulateTool, ScoresSeveralLogsOneByOne) {
 
 TEST_F(SimulateTool, RefusesOnePredictionOfSeveralLogs) {
   const std::string second = WriteSecondLog(folder_ / "second").string();
-  const ToolRun run = RunToolBinary("fathom_simulate",
-                                    {Flag("model", model_),
-                                     Flag("log", log_),
-                                     "--log=" + second,
-                                     Flag("out", folder_ / "out.csv")});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.err,
+  EXPECT_EQ(ExpectRefusal("fathom_simulate",
+                          {Flag("model", model_),
+                           Flag("log", log_),
+                           "--log=" + second,
+                           Flag("out", folder_ / "out.csv")}),
             "fathom_simulate: --out: holds the prediction of one log, expected a single --log with "
             "it.\n");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.csv"));
 }
 
 TEST_F(SimulateTool, TakesTheDofOfTheModelOnly) {
   const std::string log = WriteTestFile(folder_ / "log.csv", SmallSingleCsv()).string();
   RunsWell("fathom_simulate", {Flag("model", model_), "--log=" + log, "--dof=surge"});
-  const ToolRun other =
-      RunToolBinary("fathom_simulate", {Flag("model", model_), "--log=" + log, "--dof=yaw"});
-  EXPECT_EQ(other.exit_code, 1);
-  EXPECT_EQ(other.err,
+  EXPECT_EQ(ExpectRefusal("fathom_simulate", {Flag("model", model_), "--log=" + log, "--dof=yaw"}),
             "fathom_simulate: --dof: is yaw, but " + model_.string() +
                 " is a model of surge: expected surge, or no --dof.\n");
 }
@@ -312,10 +307,7 @@ TEST_F(SimulateTool, RefusesAModelWhoseForceHasAnotherUnit) {
   }
   WriteTestFile(log / "log.yaml", "name: ampere\ndof: surge\ncommand_unit: A\n");
   RunsWell("fathom_identify", {Flag("log", log), "--dof=surge", Flag("model", model)});
-  const ToolRun run =
-      RunToolBinary("fathom_simulate", {Flag("model", model), "--log=" + kFlatfish});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err,
+  EXPECT_THAT(ExpectRefusal("fathom_simulate", {Flag("model", model), "--log=" + kFlatfish}),
               HasSubstr("its commands are in N, but the model was identified from commands "
                         "in A: expected the same unit."));
 }
@@ -411,10 +403,7 @@ TEST_F(SimulateTool, RefusesALogThatLacksAPartner) {
                     VerdictJson({{"effect", "velocity_coupling"},
                                  {"partner", "sway"},
                                  {"parameters", {{"coefficient", {{"value", 3}}}}}}));
-  const ToolRun run = RunToolBinary("fathom_simulate", {Flag("model", verdict), Flag("log", log_)});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.out, "");
-  EXPECT_THAT(run.err,
+  EXPECT_THAT(ExpectRefusal("fathom_simulate", {Flag("model", verdict), Flag("log", log_)}),
               HasSubstr("the model's velocity_coupling(sway) needs the measured sway velocity, "
                         "expected column 'v' in velocity.csv, or a pose.csv."));
 }

@@ -70,6 +70,18 @@ std::filesystem::path WriteSmallLog(const std::filesystem::path& folder) {
   return folder;
 }
 
+std::filesystem::path WriteStillLog(const std::filesystem::path& folder) {
+  WriteSmallLog(folder);
+  std::string command = "t,tau_surge\n", velocity = "t,u\n";
+  for (int row = 0; row < 300; ++row) {
+    command += fmt::format("{:.1f},0\n", StampOf(row));
+    velocity += fmt::format("{:.1f},0\n", StampOf(row));
+  }
+  WriteTestFile(folder / "command.csv", command);
+  WriteTestFile(folder / "velocity.csv", velocity);
+  return folder;
+}
+
 std::string SmallModelJson() {
   return R"({"schema": "fathom-model-1", "dof": "surge",
  "structure": {"baseline": "uncoupled", "effects": []}, "force_unit": "N",

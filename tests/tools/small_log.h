@@ -18,6 +18,9 @@ std::string SmallSingleCsv();    // t,tau,v
 // log.yaml, command.csv and velocity.csv in `folder`, which is given back.
 std::filesystem::path WriteSmallLog(const std::filesystem::path& folder);
 
+// The same where nothing was commanded and nothing moved, for 30 s.
+std::filesystem::path WriteStillLog(const std::filesystem::path& folder);
+
 // A model file of that vehicle's surge, written by hand.
 std::string SmallModelJson();
 
