@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include "fathom/import/convert/assembled_stream.h"
 #include "fathom/import/convert/samples.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/recording/recording.h"
-#include "fathom/import/units/unit.h"
 #include "fathom/log/log.h"
 
 #include <filesystem>
@@ -15,13 +15,6 @@
 #include <vector>
 
 namespace fathom {
-
-// A stream as a recording holds it: its columns in SI, in the recording's axes.
-struct GatheredStream {
-  std::vector<std::string> columns;
-  std::vector<Dimension> dimensions;  // of the columns
-  ChannelSamples samples;             // at the stamps of the slowest channel; of a command at all
-};
 
 // What a map takes from a recording.
 struct GatheredStreams {
