@@ -86,6 +86,28 @@ install "/root/${python##*/}"
 as_user '
   python3 -c "import fathom; print(fathom.__file__); print(fathom.identify(\"data/flatfish\", dof=\"surge\"))"'
 
+# Every command of the tour, as the installed README.md has it, but for pip, in whose place there is
+# python3-fathom, and the archive: its script is in the repository alone. dive.csv is not followed on.
+title 'The tour of README.md'
+as_user '
+  mkdir tour
+  cd tour
+  ln -s /usr/share/fathom data
+  # A minute under way: 900 kg, 300 kg/m, pushed ahead and astern.
+  awk "BEGIN {
+    print \"t,tau,v\"
+    for (i = v = 0; i < 600; ++i) {
+      force = int(i / 80) % 2 ? -60 : 90
+      print 0.1 * i \",\" force \",\" v
+      v += 0.1 * (force - 300 * v * (v < 0 ? -v : v)) / 900
+    }
+  }" > dive.csv
+  sed -n "/^## A tour/,/^## /s/^    //p" /usr/share/doc/fathom-uuv/README.md |
+    sed "s/^tail -n +1 -F /cat /; /^pip install /d; /^scripts\//d; /^fathom_batch /d" > ../tour.sh
+  grep -c ^fathom_ ../tour.sh
+  sh -ex ../tour.sh
+  ls -l *.json *.html flatfish.h plan prediction.csv heave_tracked/pose.csv'
+
 title 'Library'
 install "/root/${library##*/}" cmake g++ make
 as_user '

@@ -13,6 +13,7 @@
 #include "module/coupled_options.h"
 #include "module/logs_argument.h"
 #include "module/number.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -143,7 +144,8 @@ void BindCoupled(py::module_& module) {
                              })
       .def_readonly("findings", &CoupledInPython::findings)
       .def_property_readonly(
-          "remarks", [](const CoupledInPython& result) { return result.identified.remarks; })
+          "remarks",
+          [](const CoupledInPython& result) { return InPythonWords(result.identified.remarks); })
       .def(
           "to_dict",
           [](const CoupledInPython& result) {

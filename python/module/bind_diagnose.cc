@@ -24,6 +24,7 @@
 #include "module/bindings.h"
 #include "module/logs_argument.h"
 #include "module/number.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -201,8 +202,8 @@ void BindDiagnose(py::module_& module) {
                              [](const Result& result) { return result.diagnosis.findings; })
       .def_property_readonly("next_steps",
                              [](const Result& result) { return NextSteps(result.diagnosis); })
-      .def_property_readonly("remarks",
-                             [](const Result& result) { return result.diagnosis.remarks; })
+      .def_property_readonly(
+          "remarks", [](const Result& result) { return InPythonWords(result.diagnosis.remarks); })
       .def("page", &VerdictPage, "The page of fathom_diagnose --report, HTML.")
       .def(
           "to_dict",

@@ -20,6 +20,7 @@
 #include "module/family_options.h"
 #include "module/logs_argument.h"
 #include "module/number.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -201,7 +202,7 @@ void BindIdentify(py::module_& module) {
           [](const Result& result) {
             std::vector<std::string> remarks = result.identified.signals.remarks;
             std::ranges::copy(result.identified.remarks, std::back_inserter(remarks));
-            return remarks;
+            return InPythonWords(remarks);
           },
           "On the data, a sentence each.")
       .def(

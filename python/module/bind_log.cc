@@ -7,6 +7,7 @@
 #include "module/bindings.h"
 #include "module/log_from_arrays.h"
 #include "module/logs_argument.h"
+#include "module/python_words.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pybind11/stl.h>
@@ -58,6 +59,7 @@ OpenedLog OpenInPython(const py::object& path,
   arguments.held_out = HeldOutText(held_out);
   arguments.held_out_times = HeldOutOf(held_out);
   arguments.corrections = CorrectionsOf(correct, late);
+  arguments.corrections_by = correct.empty() ? "late" : late.empty() ? "correct" : "correct, late";
   const py::gil_scoped_release release;
   return OpenPath(place, arguments);
 }
@@ -101,7 +103,7 @@ void BindLog(py::module_& module) {
           "mass", [](const OpenedLog& log) { return log.log.mass; }, "Of the vehicle, dry [kg].")
       .def_property_readonly(
           "remarks",
-          [](const OpenedLog& log) { return TextsOf(log.log.remarks); },
+          [](const OpenedLog& log) { return InPythonWords(TextsOf(log.log.remarks)); },
           "What the reader passed over, a sentence each.")
       .def_property_readonly("fingerprint",
                              [](const OpenedLog& log) { return FingerprintOf(log.log); })

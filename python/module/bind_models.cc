@@ -14,6 +14,7 @@
 #include "module/bindings.h"
 #include "module/logs_argument.h"
 #include "module/number.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -106,7 +107,10 @@ void BindModel(py::module_& module) {
           "Of the parameters in their order, in products of their units; NaN where not known.")
       .def_readonly("train", &FittedModel::train)
       .def_readonly("held_out", &FittedModel::held_out)
-      .def_readonly("caveats", &FittedModel::caveats, "What the intervals do not cover.")
+      .def_property_readonly(
+          "caveats",
+          [](const FittedModel& model) { return InPythonWords(model.caveats); },
+          "What the intervals do not cover.")
       .def_readonly("provenance", &FittedModel::provenance)
       .def(
           "save",
@@ -163,7 +167,8 @@ void BindCoupledModel(py::module_& module) {
                              [](const FittedCoupledModel& model) {
                                return FiguresByDof(model.model.dofs, model.held_out);
                              })
-      .def_readonly("caveats", &FittedCoupledModel::caveats)
+      .def_property_readonly(
+          "caveats", [](const FittedCoupledModel& model) { return InPythonWords(model.caveats); })
       .def_readonly("provenance", &FittedCoupledModel::provenance)
       .def(
           "save",

@@ -22,6 +22,7 @@
 #include "module/logs_argument.h"
 #include "module/number.h"
 #include "module/pose_path.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -273,8 +274,10 @@ void BindRefine(py::module_& module) {
                              [](const RefinedInPython& result) {
                                return result.images.comparison.dofs.front().findings;
                              })
-      .def_property_readonly(
-          "remarks", [](const RefinedInPython& result) { return result.images.comparison.remarks; })
+      .def_property_readonly("remarks",
+                             [](const RefinedInPython& result) {
+                               return InPythonWords(result.images.comparison.remarks);
+                             })
       .def("page", &RefinedPage, "The page of fathom_refine --report, HTML.")
       .def(
           "to_dict",
@@ -311,7 +314,8 @@ void BindRefine(py::module_& module) {
                              "root mean squares. None without.")
       .def_readonly("findings", &RefinedTogether::findings)
       .def_property_readonly(
-          "remarks", [](const RefinedTogether& result) { return result.refinement.remarks; })
+          "remarks",
+          [](const RefinedTogether& result) { return InPythonWords(result.refinement.remarks); })
       .def(
           "to_dict",
           [](const RefinedTogether& result) {

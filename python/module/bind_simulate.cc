@@ -12,6 +12,7 @@
 #include "module/arrays.h"
 #include "module/bindings.h"
 #include "module/logs_argument.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -207,7 +208,8 @@ void BindPrediction(py::module_& module) {
           [](const Result& result) { return result.score.is_trained_on_it; },
           "Whether the model was identified from this log.")
       .def_property_readonly("findings", [](const Result& result) { return result.score.findings; })
-      .def_property_readonly("remarks", [](const Result& result) { return result.score.remarks; })
+      .def_property_readonly(
+          "remarks", [](const Result& result) { return InPythonWords(result.score.remarks); })
       .def(
           "to_dict",
           [](const Result& result) {
@@ -260,8 +262,8 @@ void BindPredictionTogether(py::module_& module) {
           },
           "10 s after a start [m], RMS; NaN without positions.")
       .def_readonly("findings", &Result::findings)
-      .def_property_readonly("remarks",
-                             [](const Result& result) { return result.score.data.remarks; })
+      .def_property_readonly(
+          "remarks", [](const Result& result) { return InPythonWords(result.score.data.remarks); })
       .def(
           "to_dict",
           [](const Result& result) {

@@ -19,6 +19,7 @@
 #include "module/bindings.h"
 #include "module/logs_argument.h"
 #include "module/pose_path.h"
+#include "module/python_words.h"
 #include "module/tell.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -240,7 +241,9 @@ void BindTrack(py::module_& module) {
           "Standard deviation of a corner's u and v [px], from the residuals.")
       .def_property_readonly(
           "remarks",
-          [](const TrackedInPython& result) { return TextsOf(result.summary.remarks); },
+          [](const TrackedInPython& result) {
+            return InPythonWords(TextsOf(result.summary.remarks));
+          },
           "What was lost and what was decided, a sentence each.")
       .def("save", &SaveTrack, py::arg("path"), "Writes a new log, as fathom_track --out.")
       .def(

@@ -56,6 +56,7 @@ OpenedLog OpenPath(const std::string& path, const OpenLogArguments& arguments) {
   options.velocity = arguments.velocity;
   options.held_out = arguments.held_out_times;
   options.corrections = arguments.corrections;
+  options.corrections_by = arguments.corrections_by;
   options.may_lack_motion = true;
   options.may_lack_command = true;
   Log log = OpenLog(path, options);

@@ -20,6 +20,7 @@ struct OpenLogArguments {
   std::string held_out = {};
   std::vector<TimeInterval> held_out_times = {};
   std::vector<Correction> corrections = {};
+  std::string corrections_by = {};
   bool is_tracked = true;  // detections become poses where the log has no motion but them
 };
 

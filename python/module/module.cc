@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "module/bindings.h"
+#include "module/python_words.h"
 #include <glog/logging.h>
 
 namespace py = pybind11;
@@ -24,12 +25,12 @@ PYBIND11_MODULE(_fathom, module) {
     google::InitGoogleLogging("fathom");
   }
 
-  // What cannot be used is a ValueError with the same sentence as a tool's.
+  // What cannot be used is a ValueError with the same sentence as a tool's, but for the dashes.
   py::register_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);
     } catch (const fathom::InputError& input_error) {
-      PyErr_SetString(PyExc_ValueError, input_error.what());
+      PyErr_SetString(PyExc_ValueError, fathom::InPythonWords(input_error.what()).c_str());
     }
   });
   module.add_object("FindingWarning",

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "module/python_words.h"
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
@@ -54,7 +55,7 @@ std::string NotebookText(const std::string& text) { return "<pre>" + HtmlText(te
 
 std::string NoteLines(const std::vector<std::string>& notes) {
   std::string text;
-  for (const std::string& note : notes) text += "note: " + note + "\n";
+  for (const std::string& note : InPythonWords(notes)) text += "note: " + note + "\n";
   return text;
 }
 

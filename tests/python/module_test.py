@@ -476,8 +476,10 @@ class Arrays(Scratch):
 
 class Refusals(Scratch):
     def refuses(self, pattern, call, *arguments, **options):
-        with self.assertRaisesRegex(ValueError, pattern):
+        with self.assertRaisesRegex(ValueError, pattern) as caught:
             call(*arguments, **options)
+        # Options have no dashes here, but for those of commands to be typed.
+        self.assertNotIn("--", re.sub(r"fathom_\w+( --\S+)+", "", str(caught.exception)))
 
     def test_a_bad_path_is_a_value_error_with_the_words_of_the_tool(self):
         run = run_tool("identify", "--log=no/such/log", "--dof=surge")
@@ -506,6 +508,34 @@ class Refusals(Scratch):
         self.refuses("dofs: names surge twice", fathom.identify, FLATFISH, dofs=["surge"] * 2)
         self.refuses("dofs: is empty", fathom.identify, FLATFISH, dofs=[])
         self.refuses("families: is", fathom.compare, FLATFISH, families=["best"])
+
+    def test_options_have_the_names_of_python(self):
+        self.refuses("^correct: corrects 'p', which", fathom.open_log, FLATFISH, correct={"p": -1.0})
+        self.refuses("^late: corrects 'p', which is no", fathom.open_log, FLATFISH, late={"p": 0.1})
+        self.refuses(
+            "^correct, late: corrects", fathom.open_log, FLATFISH, correct={"p": 2.0}, late={"u": 0.1}
+        )
+        self.refuses("^dof: is missing, and", fathom.identify, FLATFISH)
+        file = self.folder / "run.csv"
+        file.write_text("t,tau,v\n0,1,2\n1,1,2\n")
+        self.refuses("expected dof with it: dof=surge", fathom.open_log, file)
+        self.refuses("^velocity=v.csv: .* Leave out velocity.$", fathom.open_log, file, dof="surge", velocity="v.csv")
+        self.refuses("^correct: corrects 'u', which is no speed", fathom.open_log, file, dof="surge", correct={"u": 2.0})
+        # What is typed into a shell stays as it is typed.
+        shutil.copytree(FLATFISH, self.folder / "logs" / "one")
+        self.refuses(
+            "expected one of them: log=.*one. fathom_check --archive=.* checks them all.",
+            fathom.open_log,
+            self.folder / "logs",
+        )
+        foreign = self.folder / "foreign.txt"
+        foreign.write_text("a;b\n1;2\n")
+        self.refuses("fathom_import --from=.* --suggest > map", fathom.open_log, foreign)
+
+    def test_remarks_name_options_as_python_has_them(self):
+        log = fathom.open_log(FLATFISH, held_out=[(900, 950)], correct={"u": 1.0}, late={"u": 0.1})
+        self.assertIn("velocity.csv: u 0.1 s earlier, as correct, late says.", log.remarks)
+        self.assertTrue(any(text.startswith("held_out: [") for text in log.remarks), log.remarks)
 
     def test_numbers_that_cannot_be(self):
         nan = float("nan")

@@ -109,12 +109,13 @@ void PutRight(const std::vector<Correction>& corrections,
 void CorrectVelocity(const std::string& log_yaml,
                      const std::string& velocity,
                      const std::vector<Correction>& asked,
+                     const std::string& asked_by,
                      Log* log) {
   std::erase_if(log->corrections, [&](const Correction& of_log) {
     return std::ranges::find(asked, of_log.column, &Correction::column) != asked.end();
   });
   PutRight(log->corrections, log_yaml, velocity, log);
-  PutRight(asked, "--correct", velocity, log);
+  PutRight(asked, asked_by, velocity, log);
   std::ranges::copy(asked, std::back_inserter(log->corrections));
 }
 

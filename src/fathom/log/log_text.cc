@@ -101,8 +101,11 @@ Log ParseLog(const LogText& text) {
     PartSurfaces(&log);
   }
   if (text.is_other_velocity) log.corrections.clear();
-  CorrectVelocity(
-      text.log_yaml.name, text.velocity ? text.velocity->name : "", text.corrections, &log);
+  CorrectVelocity(text.log_yaml.name,
+                  text.velocity ? text.velocity->name : "",
+                  text.corrections,
+                  text.corrections_by,
+                  &log);
   HoldOut(text.held_out, &log);
   return log;
 }

@@ -28,7 +28,8 @@ struct LogText {
   std::optional<File> pose_yaml;        // what is to be said of `pose`
   std::vector<TimeInterval> held_out;   // for HoldOut()
   std::vector<Correction> corrections;  // for CorrectVelocity()
-  bool is_other_velocity = false;       // `velocity` is not the log's own, which log.yaml corrects
+  std::string corrections_by = "--correct";
+  bool is_other_velocity = false;  // `velocity` is not the log's own, which log.yaml corrects
 };
 
 // ReadLog for files that are in memory already. They throw InputError, naming file, line and

@@ -87,6 +87,7 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   text.path = folder;
   text.held_out = options.held_out;
   text.corrections = options.corrections;
+  text.corrections_by = options.corrections_by;
   text.log_yaml = ReadText(folder / "log.yaml");
   if (Exists(folder / "command.csv")) text.command = ReadText(folder / "command.csv");
   if (!options.velocity.empty()) {
@@ -132,12 +133,14 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
 }
 
 // Those of the one speed of a single CSV, by the column's name in a log folder.
-std::vector<Correction> OfSpeed(std::vector<Correction> corrections,
+std::vector<Correction> OfSpeed(const ReadLogOptions& options,
                                 const std::filesystem::path& path,
                                 Dof dof) {
+  std::vector<Correction> corrections = options.corrections;
   for (Correction& correction : corrections) {
     if (correction.column != "v") {
-      throw InputError(fmt::format("--correct: corrects {}, which is no speed of {}, expected v.",
+      throw InputError(fmt::format("{}: corrects {}, which is no speed of {}, expected v.",
+                                   options.corrections_by,
                                    Quoted(correction.column),
                                    path.string()));
     }
@@ -171,7 +174,8 @@ Log ReadLog(const std::filesystem::path& path, const ReadLogOptions& options) {
                     path.string()));
   }
   Log log = ParseSingleCsv(path.string(), text, *options.dof, options.held_out);
-  CorrectVelocity("", path.string(), OfSpeed(options.corrections, path, *options.dof), &log);
+  CorrectVelocity(
+      "", path.string(), OfSpeed(options, path, *options.dof), options.corrections_by, &log);
   return log;
 }
 

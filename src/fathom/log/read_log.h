@@ -25,6 +25,7 @@ struct ReadLogOptions {
 
   // Factors of columns of the velocity stream, in place of what log.yaml says of the same column.
   std::vector<Correction> corrections = {};
+  std::string corrections_by = "--correct";  // what asks for them, in messages
 
   // True: a folder with none of velocity.csv, pose.csv, detections.csv will do, for predictions and
   // for images.
