@@ -87,7 +87,7 @@ as_user '
   python3 -c "import fathom; print(fathom.__file__); print(fathom.identify(\"data/flatfish\", dof=\"surge\"))"'
 
 # Every command of the tour, as the installed README.md has it, but for pip, in whose place there is
-# python3-fathom, and the archive: its script is in the repository alone. dive.csv is not followed on.
+# python3-fathom. dive.csv is not followed on.
 title 'The tour of README.md'
 as_user '
   mkdir tour
@@ -103,7 +103,7 @@ as_user '
     }
   }" > dive.csv
   sed -n "/^## A tour/,/^## /s/^    //p" /usr/share/doc/fathom-uuv/README.md |
-    sed "s/^tail -n +1 -F /cat /; /^pip install /d; /^scripts\//d; /^fathom_batch /d" > ../tour.sh
+    sed "s/^tail -n +1 -F /cat /; /^pip install /d" > ../tour.sh
   grep -c ^fathom_ ../tour.sh
   sh -ex ../tour.sh
   ls -l *.json *.html flatfish.h plan prediction.csv heave_tracked/pose.csv'

@@ -29,7 +29,7 @@ run $bin/fathom_synthesize --vehicle=data/vehicles/flatfish.yaml --experiment=da
 run $bin/fathom_diagnose --log=$out/surge_dead_zone --dof=surge --verdict=$out/dead_zone.json --report=$out/dead_zone.html
 
 rm -rf "$out/dives" "$out/dives.sqlite"
-run scripts/example_archive.sh "$out/dives"
+run env PATH="$PWD/$bin:$PATH" data/examples/example_archive.sh "$out/dives"
 run $bin/fathom_batch --archive=$out/dives --results=$out/dives.sqlite --report=$out/dives.html \
   --pages --jobs="$(nproc)"
 

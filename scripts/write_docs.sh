@@ -41,7 +41,7 @@ fi
   echo "$0: there are no programs in $tools; build them, or give --tools" >&2
   exit 1
 }
-export PATH=$tools:$root/scripts:$PATH BUILD=${tools%/tools}
+export PATH=$tools:$root/scripts:$PATH
 
 # --- Filters: from what the last run printed to lines of a page.
 

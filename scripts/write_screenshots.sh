@@ -38,7 +38,7 @@ page_of_refine() {
 }
 
 page_of_archive() {
-  BUILD=$(dirname "$tools") "$root/scripts/example_archive.sh" dives
+  PATH=$tools:$PATH "$root/data/examples/example_archive.sh" dives
   "$tools/fathom_batch" --archive=dives --results=dives.sqlite --report="$1" --diagnose=false --families=output_error
 }
 

@@ -251,8 +251,8 @@ class BatchOnSlurm : public testing::Test {
  protected:
   void SetUp() override {
     if (const std::string why = WhyNoSlurm(); !why.empty()) GTEST_SKIP() << why;
-    setenv("BUILD", FATHOM_BUILD_DIR, 1);
-    Output(std::string(FATHOM_SOURCE_DIR) + "/scripts/example_archive.sh",
+    setenv("PATH", fmt::format("{}/tools:{}", FATHOM_BUILD_DIR, std::getenv("PATH")).c_str(), 1);
+    Output(std::string(FATHOM_SOURCE_DIR) + "/data/examples/example_archive.sh",
            {archive_.string(), "6", "2"});
     tools_ = ToolsThatWait(folder_ / "tools", marks_);
   }

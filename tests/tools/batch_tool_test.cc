@@ -18,6 +18,7 @@
 
 #include "batch_results.h"
 #include "run_tool.h"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -28,9 +29,10 @@ using Path = std::filesystem::path;
 
 // 2 dives of 3 logs.
 Path WriteExampleArchive(const Path& archive) {
-  setenv("BUILD", FATHOM_BUILD_DIR, 1);
-  const ChildResult made = RunChild({.program = FATHOM_SOURCE_DIR "/scripts/example_archive.sh",
-                                     .arguments = {archive.string(), "2", "3"}});
+  setenv("PATH", fmt::format("{}/tools:{}", FATHOM_BUILD_DIR, std::getenv("PATH")).c_str(), 1);
+  const ChildResult made =
+      RunChild({.program = FATHOM_SOURCE_DIR "/data/examples/example_archive.sh",
+                .arguments = {archive.string(), "2", "3"}});
   EXPECT_EQ(made.exit_code, 0) << made.err;
   return archive;
 }

@@ -1,28 +1,27 @@
 #!/usr/bin/env bash
 # Makes an archive of a vehicle that changes, to try fathom_batch on:
 #
-#   scripts/example_archive.sh ARCHIVE [DIVES] [LOGS]     # 12 dives of 3 logs by default
+#   data/examples/example_archive.sh ARCHIVE [DIVES] [LOGS]     # 12 dives of 3 logs by default
 #
 # From 40 % of the dives on the vehicle carries 14 kg more. Its damping grows by 1 % a dive. From
 # 70 % of them on its port thruster gives 20 % less than commanded. The logs hold the thrusts of the
 # thrusters. In surge a controller holds the heading, and so gives port more to do from then on.
 #
-# QUIET=1: nothing changes. SEED: another draw of the noise (1). BUILD: the folder of the build
-# (build/release). The same arguments give the same bytes.
+# QUIET=1: nothing changes. SEED: another draw of the noise (1). The same arguments give the
+# same bytes. fathom_synthesize is found on the PATH.
 set -euo pipefail
 if [[ $# -lt 1 || $# -gt 3 ]]; then
   sed -n '2,12p' "$0" >&2
   exit 1
 fi
 archive=$(realpath -m "$1") dives=${2:-12} logs=${3:-3}
-cd "$(dirname "$0")/.."
-synthesize=$(realpath "${BUILD:-build/release}")/tools/fathom_synthesize
+data=$(dirname "$(realpath "$0")")/..
 [[ ! -e $archive ]] || { echo "$0: $archive is there already" >&2; exit 1; }
 vehicles=$(mktemp -d)
 trap 'rm -rf "$vehicles"' EXIT
 
 mkdir -p "$archive"
-cp data/vehicles/survey_rov.yaml "$archive/vehicle.yaml"
+cp "$data/vehicles/survey_rov.yaml" "$archive/vehicle.yaml"
 echo 'vehicle: vehicle.yaml' > "$archive/archive.yaml"
 
 # A thruster that gives too little acts like a vehicle with all parameters larger. In yaw port makes
@@ -43,7 +42,7 @@ vehicle_of_dive() {
         scale * growth * number("linear_damping"), scale * number("buoyancy")
       next
     }
-    { print }' data/vehicles/survey_rov.yaml
+    { print }' "$data/vehicles/survey_rov.yaml"
 }
 
 # Turns a log's forces into the thrusts that make them: port, starboard, fore, aft.
@@ -69,7 +68,7 @@ for ((dive = 1; dive <= dives; ++dive)); do
   for ((log = 1; log <= logs; ++log)); do
     dof=${dofs[(log - 1) % 3]}
     folder=$archive/$(printf 'dive_%02d/%02d_%s' "$dive" "$log" "$dof")
-    "$synthesize" --vehicle="$vehicles/$dive.yaml" --experiment="data/experiments/archive_$dof.yaml" \
+    fathom_synthesize --vehicle="$vehicles/$dive.yaml" --experiment="$data/experiments/archive_$dof.yaml" \
       --seed=$((100000 * (${SEED:-1} - 1) + 1000 * dive + log)) --out="$folder" > /dev/null
     to_thrusters "$folder" "$dof" "$dive"
   done
