@@ -160,8 +160,8 @@ bool Report(const std::string& what,
 
 bool MeasureRealPrograms(const fs::path& folder) {
   const fs::path archive = folder / "example", results = folder / "example.sqlite";
-  setenv("BUILD", FATHOM_BUILD_DIR, 1);
-  Run({.program = FATHOM_SOURCE_DIR "/scripts/example_archive.sh",
+  setenv("PATH", fmt::format("{}/tools:{}", FATHOM_BUILD_DIR, std::getenv("PATH")).c_str(), 1);
+  Run({.program = FATHOM_SOURCE_DIR "/data/examples/example_archive.sh",
        .arguments = {archive.string(), "4", "9"}});
   constexpr double kNever = std::numeric_limits<double>::infinity();
   double batch_cpu = kNever, shell_cpu = kNever, alone = kNever, in_two = kNever;

@@ -84,7 +84,7 @@ const ToolInfo kInfo = {
     "others.",
     "--archive=DIR --results=FILE [--jobs=N] [--dofs=DOF,DOF...|auto] [--report=FILE] "
     "[--pages] [--csv=FILE] [--strict]",
-    "scripts/example_archive.sh dives\n"
+    "data/examples/example_archive.sh dives\n"
     "  fathom_batch --archive=dives --results=dives.sqlite --report=dives.html --jobs=2",
     "Each log goes through fathom_compare and fathom_diagnose, with --dofs also as one coupled "
     "model, all logs of a dive through one "
