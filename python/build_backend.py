@@ -7,12 +7,12 @@ and Python itself, since Debian 12 has no scikit-build-core.
     pip install --no-build-isolation .
     pip install --no-build-isolation --config-settings=build=build/release .   # on top of a build there
 
-The wheel holds the module, and the programs as scripts. The libraries that they link stay Debian's.
+Without the setting it builds in build/wheel-<tag>, so that the next time only what has changed is built. The
+wheel holds the module, and the programs as scripts. The libraries that they link stay Debian's.
 """
 
 import base64
 import hashlib
-import os
 import pathlib
 import re
 import subprocess
@@ -80,6 +80,15 @@ def _record_line(name, data):
     return f"{name},sha256={digest},{len(data)}"
 
 
+def _texts(info, metadata):
+    """The files of `info` that say what the wheel is, by their names in it."""
+    kind = ["Wheel-Version: 1.0", "Generator: fathom", "Root-Is-Purelib: false", f"Tag: {_tag()}"]
+    return {
+        f"{info}/METADATA": "\n".join([*metadata, ""]),
+        f"{info}/WHEEL": "\n".join([*kind, ""]),
+    }
+
+
 def _write_wheel(wheel, staged, info, metadata):
     record = []
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -97,10 +106,19 @@ def _write_wheel(wheel, staged, info, metadata):
             name = _name_in_wheel(file, staged, module.parent, scripts)
             if name:
                 add(name, file.read_bytes(), 0o755 if name.startswith(scripts) else 0o644)
-        add(f"{info}/METADATA", "\n".join([*metadata, ""]).encode())
-        kind = ["Wheel-Version: 1.0", "Generator: fathom", "Root-Is-Purelib: false"]
-        add(f"{info}/WHEEL", "\n".join([*kind, f"Tag: {_tag()}", ""]).encode())
+        for name, text in _texts(info, metadata).items():
+            add(name, text.encode())
         archive.writestr(f"{info}/RECORD", "\n".join([*record, f"{info}/RECORD,,", ""]))
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Without it pip would build the wheel before it looks whether numpy can be had."""
+    name, version, metadata = _project()
+    info = f"{name}-{version}.dist-info"
+    (pathlib.Path(metadata_directory) / info).mkdir()
+    for file, text in _texts(info, metadata).items():
+        (pathlib.Path(metadata_directory) / file).write_text(text)
+    return info
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
@@ -108,7 +126,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     wheel = f"{name}-{version}-{_tag()}.whl"
     with tempfile.TemporaryDirectory() as folder:
         staged = pathlib.Path(folder) / "staged"
-        build = (config_settings or {}).get("build") or os.path.join(folder, "build")
+        build = (config_settings or {}).get("build") or f"build/wheel-{_tag()}"
         _install(staged, pathlib.Path(ROOT, build))
         _write_wheel(
             pathlib.Path(wheel_directory) / wheel, staged, f"{name}-{version}.dist-info", metadata
