@@ -6,7 +6,6 @@
 // docs/models.md (8), is fathom_simulate's.
 
 #include "fathom/log/read_log.h"
-#include "fathom/process/run_child.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "octave.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include <Eigen/Geometry>
@@ -34,8 +34,6 @@ const Path kData = FATHOM_DATA_DIR;
 
 const std::map<std::string, int> kRowOf = {
     {"surge", 1}, {"sway", 2}, {"heave", 3}, {"roll", 4}, {"pitch", 5}, {"yaw", 6}};
-
-bool HasOctave() { return RunChild({"octave-cli", {"--version"}}).exit_code == 0; }
 
 // What a round trip begins with, and the files that it leaves in `folder`.
 struct RoundTrip {
@@ -114,8 +112,7 @@ for k = held_out
 end
 printf('%.17g\n', missed ./ sum(abs(measured(held_out,2:end)), 1));
 )";
-  const ChildResult run = RunChild(
-      {"octave-cli", {"--quiet", WriteTestFile(trip.folder / "score.m", script).string()}});
+  const ChildResult run = RunInOctave(WriteTestFile(trip.folder / "score.m", script));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   std::istringstream out(run.out);
   std::vector<double> nmae;

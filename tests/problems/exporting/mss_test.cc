@@ -4,7 +4,6 @@
 #include "fathom/exporting/mss.h"
 
 #include "fathom/exporting/comment_text.h"
-#include "fathom/process/run_child.h"
 
 #include <cmath>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "generic_models.h"
+#include "octave.h"
 #include "test_folder.h"
 #include "written_out_rate.h"
 #include <fmt/format.h>
@@ -27,8 +27,6 @@ using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
 ExportTarget TargetOf(const std::string& name) { return {name, "a test"}; }
-
-bool HasOctave() { return RunChild({"octave-cli", {"--version"}}).exit_code == 0; }
 
 std::string RowVector(const Eigen::VectorXd& values) {
   std::string row = "[";
@@ -62,7 +60,7 @@ void ExpectRatesInOctave(const FittedCoupledModel& fitted, const std::string& na
         "printf('%.17g\\n', {}({}', {}'));\n", name, RowVector(x), RowVector(states[k].tau));
   }
   std::ofstream(folder / "compare.m") << script;
-  const ChildResult run = RunChild({"octave-cli", {"--quiet", (folder / "compare.m").string()}});
+  const ChildResult run = RunInOctave(folder / "compare.m");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   std::istringstream out(run.out);
   double largest = 0.0;
