@@ -6,6 +6,7 @@
 #include "fathom/coupled/coupled_text.h"
 #include "fathom/coupled/coupled_verdict_file.h"
 #include "fathom/findings/log_check.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 
 #include "module/arrays.h"

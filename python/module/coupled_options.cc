@@ -4,6 +4,7 @@
 #include "module/coupled_options.h"
 
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 

@@ -5,6 +5,8 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/report/format_value.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>

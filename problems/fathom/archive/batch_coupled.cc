@@ -5,6 +5,7 @@
 
 #include "fathom/archive/jobs/log_jobs.h"
 #include "fathom/base/input_error.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 
 namespace fathom {

@@ -7,6 +7,8 @@
 #include "fathom/base/dof.h"
 #include "fathom/base/input_error.h"
 #include "fathom/trends/name_causes.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
 #include "fathom/vehicle/files/vehicle_file.h"

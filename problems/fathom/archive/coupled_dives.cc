@@ -4,6 +4,7 @@
 #include "fathom/archive/coupled_dives.h"
 
 #include "fathom/archive/store/compared_dofs.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/parallel_for.h"
 #include "fathom/signal/joined_signals.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <array>

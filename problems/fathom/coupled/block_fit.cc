@@ -5,6 +5,7 @@
 
 #include "fathom/output_error/output_error.h"
 #include "fathom/signal/joined_signals.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

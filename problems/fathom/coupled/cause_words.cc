@@ -5,6 +5,7 @@
 
 #include "fathom/base/names_of_dofs.h"
 #include "fathom/report/format_value.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 #include <cmath>

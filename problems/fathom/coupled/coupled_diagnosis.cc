@@ -4,6 +4,7 @@
 #include "fathom/coupled/coupled_diagnosis.h"
 
 #include "fathom/simulate/noise_floor.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 

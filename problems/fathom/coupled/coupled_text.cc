@@ -4,6 +4,8 @@
 #include "fathom/coupled/coupled_text.h"
 
 #include "fathom/report/format_value.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

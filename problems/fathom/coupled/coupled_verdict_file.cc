@@ -5,6 +5,7 @@
 
 #include "fathom/coupled/cause_words.h"
 #include "fathom/findings/finding_json.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "fathom/coupled/entry_prior.h"
 
+#include "fathom/vehicle/coupled/entry_value.h"
+
 #include <algorithm>
 #include <cmath>
 

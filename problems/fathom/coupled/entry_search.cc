@@ -5,6 +5,7 @@
 
 #include "fathom/coupled/entry_test.h"
 #include "fathom/vehicle/coupled/coupled_effects.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "fathom/coupled/fit_passes.h"
 
 #include "fathom/coupled/channel_noise.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

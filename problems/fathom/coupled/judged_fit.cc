@@ -8,6 +8,7 @@
 #include "fathom/coupled/open_entries.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/coupled/window_scores.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 #include "fathom/coupled/ladder.h"
 
 #include "fathom/coupled/momentum_start.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/vehicle/coupled/coriolis.h"
 #include "fathom/vehicle/coupled/coupled_effects.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/coupled/turned_about_z.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "fathom/base/interval95.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/solve/decompositions.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

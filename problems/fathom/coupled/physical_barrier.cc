@@ -3,6 +3,8 @@
 
 #include "fathom/coupled/physical_barrier.h"
 
+#include "fathom/vehicle/coupled/entry_value.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -5,6 +5,7 @@
 
 #include "fathom/base/parallel_for.h"
 #include "fathom/coupled/physical_barrier.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <atomic>

@@ -7,6 +7,8 @@
 #include "fathom/base/quantile.h"
 #include "fathom/coupled_planning/kept_wrench.h"
 #include "fathom/planning/information.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

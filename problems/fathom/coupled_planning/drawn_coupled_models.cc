@@ -4,6 +4,7 @@
 #include "fathom/coupled_planning/drawn_coupled_models.h"
 
 #include "fathom/planning/drawn_models.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <cstddef>
 #include <utility>

@@ -11,6 +11,7 @@
 #include "fathom/coupled_planning/wrench_search.h"
 #include "fathom/coupled_planning/wrench_thrusters.h"
 #include "fathom/planning/information.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,8 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/planning/open_causes.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/files/json_value.h"
 
 #include <algorithm>

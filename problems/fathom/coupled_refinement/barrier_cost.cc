@@ -5,6 +5,7 @@
 
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/solve/decompositions.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <cmath>
 

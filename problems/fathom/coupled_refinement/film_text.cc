@@ -6,6 +6,7 @@
 #include "fathom/coupled/coupled_text.h"
 #include "fathom/report/format_value.h"
 #include "fathom/report/table.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <cmath>
 #include <cstddef>

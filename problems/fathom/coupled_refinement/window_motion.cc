@@ -5,6 +5,7 @@
 
 #include "fathom/coupled/window_residuals.h"
 #include "fathom/coupled_refinement/deviated_pose.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "fathom/exporting/c_functions.h"
 
 #include "fathom/exporting/comment_text.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 

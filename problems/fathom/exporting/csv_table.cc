@@ -5,6 +5,7 @@
 
 #include "fathom/exporting/comment_text.h"
 #include "fathom/exporting/format_features.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <cmath>
 #include <string>

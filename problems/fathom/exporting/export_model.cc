@@ -5,6 +5,8 @@
 
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/json_value.h"
 #include "fathom/vehicle/files/model_file.h"

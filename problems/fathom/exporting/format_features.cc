@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/names_of_dofs.h"
 #include "fathom/vehicle/coupled/coupled_effects.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 #include <array>

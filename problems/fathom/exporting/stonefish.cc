@@ -8,6 +8,7 @@
 #include "fathom/exporting/hydrostatics.h"
 #include "fathom/exporting/split_inertia.h"
 #include "fathom/exporting/xml_elements.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <array>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "fathom/exporting/comment_text.h"
 #include "fathom/exporting/split_inertia.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 

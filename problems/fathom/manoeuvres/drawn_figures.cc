@@ -6,6 +6,7 @@
 #include "fathom/base/quantile.h"
 #include "fathom/base/random_stream.h"
 #include "fathom/solve/covariance_factor.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

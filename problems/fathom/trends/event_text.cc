@@ -4,6 +4,7 @@
 #include "fathom/trends/event_text.h"
 
 #include "fathom/report/format_value.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 #include <cctype>

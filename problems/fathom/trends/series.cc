@@ -4,6 +4,7 @@
 #include "fathom/trends/series.h"
 
 #include "fathom/base/median.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
 #include <cmath>

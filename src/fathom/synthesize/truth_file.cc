@@ -3,6 +3,8 @@
 
 #include "fathom/synthesize/truth_file.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/parameters.h"

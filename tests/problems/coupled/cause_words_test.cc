@@ -3,6 +3,8 @@
 
 #include "fathom/coupled/cause_words.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+
 #include <string>
 #include <vector>
 

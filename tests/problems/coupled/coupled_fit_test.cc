@@ -3,6 +3,9 @@
 
 #include "fathom/coupled/coupled_fit.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -6,6 +6,8 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/coupled/ladder.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 // Effects of the catalogue in a model of several DOFs, on logs of another simulator.
 
 #include "fathom/coupled/ladder.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <cmath>
 #include <random>

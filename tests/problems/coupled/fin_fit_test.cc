@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/coupled/block_fit.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

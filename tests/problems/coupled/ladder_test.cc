@@ -3,6 +3,8 @@
 
 #include "fathom/coupled/ladder.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+
 #include <random>
 #include <string>
 #include <vector>

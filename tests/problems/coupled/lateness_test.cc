@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fathom/coupled/ladder.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <cmath>
 #include <random>

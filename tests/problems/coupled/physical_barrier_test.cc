@@ -3,6 +3,8 @@
 
 #include "fathom/coupled/physical_barrier.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <cmath>

@@ -5,6 +5,8 @@
 
 #include "fathom/coupled/ladder.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "fathom/coupled_refinement/barrier_cost.h"
 
 #include "fathom/coupled/physical_barrier.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <ceres/cost_function.h>
 #include <gtest/gtest.h>

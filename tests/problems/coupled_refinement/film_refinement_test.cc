@@ -6,6 +6,7 @@
 #include "fathom/coupled_refinement/film_refinement.h"
 
 #include "fathom/coupled_refinement/film_page.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "fathom/exporting/csv_table.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <algorithm>

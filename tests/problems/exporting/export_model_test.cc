@@ -4,6 +4,7 @@
 #include "fathom/exporting/export_model.h"
 
 #include "fathom/exporting/export_target.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"

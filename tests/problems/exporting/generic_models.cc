@@ -3,6 +3,9 @@
 
 #include "generic_models.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
+
 #include <vector>
 
 namespace fathom {

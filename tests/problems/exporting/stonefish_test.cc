@@ -3,6 +3,8 @@
 
 #include "fathom/exporting/stonefish.h"
 
+#include "fathom/vehicle/coupled/entry_value.h"
+
 #include <cmath>
 #include <string>
 

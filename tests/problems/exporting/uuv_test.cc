@@ -3,6 +3,7 @@
 
 #include "fathom/exporting/uuv.h"
 
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <string>

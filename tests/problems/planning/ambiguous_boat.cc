@@ -5,6 +5,8 @@
 
 #include "fathom/coupled/coupled_verdict_file.h"
 #include "fathom/coupled_planning/verdict_rivals.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <random>
 

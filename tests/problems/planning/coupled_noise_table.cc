@@ -8,6 +8,7 @@
 
 #include "fathom/coupled/coupled_fit.h"
 #include "fathom/coupled_planning/plan_coupled.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "fathom/coupled_planning/coupled_plan_text.h"
 #include "fathom/coupled_planning/kept_wrench.h"
 #include "fathom/coupled_planning/wrench_run.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <algorithm>

@@ -6,6 +6,8 @@
 #include "fathom/coupled/coupled_identification.h"
 #include "fathom/coupled_planning/coupled_plan_text.h"
 #include "fathom/coupled_planning/plan_coupled.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <random>
 

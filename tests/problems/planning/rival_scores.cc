@@ -7,6 +7,7 @@
 //   rival_scores [boats] [seconds]
 
 #include "fathom/coupled_planning/plan_coupled.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <cstdlib>
 #include <string>

@@ -3,6 +3,8 @@
 
 #include "fathom/coupled_planning/rival_sigmas.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+
 #include <cmath>
 
 #include <Eigen/Dense>

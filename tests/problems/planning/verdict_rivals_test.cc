@@ -3,6 +3,9 @@
 
 #include "fathom/coupled_planning/verdict_rivals.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
+
 #include <string>
 
 #include "error_from.h"

@@ -7,6 +7,7 @@
 #include "fathom/base/quoted.h"
 #include "fathom/tool/coupled_flags.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <fmt/format.h>
 #include <gflags/gflags.h>

@@ -4,12 +4,9 @@
 #pragma once
 
 #include "fathom/base/dof.h"
-#include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/effect.h"
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace fathom {
 
@@ -129,22 +126,5 @@ bool IsLateness(const FreeEntry& entry);
 // Which of kParameterInfo, the parameters of a model of one DOF, it is along its own DOF; -1 of a
 // coupling, and of what a model of one DOF has not.
 int ParameterOf(const FreeEntry& entry);
-
-std::string NameOf(const FreeEntry& entry);
-
-// Throws InputError, with what was found and expected, for what names no entry: "'inertia.up' is no
-// entry of a coupled model: ...". A thruster or a fin may have any name.
-FreeEntry ParseFreeEntry(std::string_view name);
-
-// "kg m^2/s"; "1" of a thrust gain, "rad" of a fin's angles, "rad/s" of its rate, "s" of a lag. Of
-// commands in another unit than N and N m, "kg A/N".
-std::string UnitOf(const FreeEntry& entry, const std::string& force_unit = "N");
-
-// Those that the model holds beside its nulls: 1 of a thrust gain, infinite of a bound, 0 of any
-// other. Of a stuck fin every angle counts.
-std::vector<FreeEntry> EntriesIn(const CoupledModel& model);
-
-double ValueIn(const CoupledModel& model, const FreeEntry& entry);
-void SetValue(const FreeEntry& entry, double value, CoupledModel* model);
 
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include "fathom/vehicle/coupled/coriolis.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
 #include <array>

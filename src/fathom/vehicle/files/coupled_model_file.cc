@@ -7,6 +7,8 @@
 #include "fathom/base/files/json_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/files/effect_entries.h"
 #include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/json_value.h"

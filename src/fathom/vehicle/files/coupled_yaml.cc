@@ -6,6 +6,8 @@
 #include "fathom/base/dof.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 
 #include <algorithm>

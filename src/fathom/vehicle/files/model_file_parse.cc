@@ -3,6 +3,7 @@
 
 #include "fathom/base/not_known.h"
 #include "fathom/base/quoted.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/effect_entries.h"
 #include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/json_value.h"

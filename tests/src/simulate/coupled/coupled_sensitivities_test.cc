@@ -3,6 +3,8 @@
 
 // Derivatives of coupled runs, against the differences of two runs.
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
 
 #include <string>

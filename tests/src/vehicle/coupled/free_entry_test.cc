@@ -3,6 +3,8 @@
 
 #include "fathom/vehicle/coupled/free_entry.h"
 
+#include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <cmath>
