@@ -6,7 +6,7 @@
 #include "fathom/base/files/json_text.h"
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
-#include "fathom/report/format_value.h"
+#include "fathom/tool/score_line.h"
 #include "fathom/vehicle/files/figures_entry.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
@@ -43,18 +43,6 @@ Json JsonOf(const CoupledScore& score, double horizon) {
           {"remarks", score.data.remarks}};
 }
 
-std::string FiguresLine(const char* part, const FitFigures& figures, Dof dof) {
-  if (figures.num_samples == 0) return "";
-  return fmt::format("{}{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
-                     Name(dof),
-                     part,
-                     figures.mae,
-                     VelocityUnit(dof),
-                     ShareText(figures.nmae, 4),
-                     figures.num_samples,
-                     figures.duration);
-}
-
 }  // namespace
 
 CoupledScore ScoreCoupled(const FittedCoupledModel& fitted, const Log& log, double horizon) {
@@ -89,11 +77,11 @@ std::string CoupledScoreText(const CoupledScore& score, double horizon) {
     const auto at = static_cast<std::size_t>(Index(dof));
     const CoupledPrediction& prediction = *score.prediction;
     if (!score.is_trained_on_it) {
-      text += FiguresLine(", another log", prediction.figures[at], dof);
+      text += ScoreLine(", another log", prediction.figures[at], dof);
       continue;
     }
-    text += FiguresLine(", training data", prediction.train[at], dof);
-    text += FiguresLine(", held out", prediction.held_out[at], dof);
+    text += ScoreLine(", training data", prediction.train[at], dof);
+    text += ScoreLine(", held out", prediction.held_out[at], dof);
   }
   if (std::isfinite(score.prediction->position_error)) {
     text += fmt::format("position 10 s after a start: off by {:.3g} m (RMS)\n",

@@ -15,6 +15,7 @@
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/model_for_log.h"
 #include "fathom/simulate/prediction_remarks.h"
+#include "fathom/tool/score_line.h"
 #include "fathom/vehicle/files/figures_entry.h"
 
 #include <algorithm>
@@ -30,19 +31,6 @@ namespace fathom {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// `part`: ", held out" of a log, ", another log", or nothing.
-std::string ScoreLine(const char* part, const FitFigures& figures, Dof dof) {
-  if (figures.num_samples == 0) return "";
-  return fmt::format("{}{}: velocity MAE {:.5f} {}, velocity NMAE {} over {} samples, {:.0f} s\n",
-                     Name(dof),
-                     part,
-                     figures.mae,
-                     VelocityUnit(dof),
-                     std::isfinite(figures.nmae) ? fmt::format("{:.4f}", figures.nmae) : "-",
-                     figures.num_samples,
-                     figures.duration);
-}
 
 // What every tool checks, where the log measures the motion; the model against the vehicle, and the
 // prediction against the log.
