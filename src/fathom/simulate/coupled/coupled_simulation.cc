@@ -5,8 +5,8 @@
 
 #include "fathom/simulate/coupled/coupled_drive.h"
 #include "fathom/simulate/coupled/coupled_rate.h"
+#include "fathom/simulate/coupled/water_frame.h"
 #include "fathom/simulate/partner_signals.h"
-#include "fathom/vehicle/coupled/coriolis.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +57,7 @@ void Sum(const CoupledFlow (&rates)[4], double h, CoupledFlow* x) {
       one * (rates[0].attitude + rates[3].attitude) + two * (rates[1].attitude + rates[2].attitude);
 }
 
-// One run, with all that it works in.
+// One run, with all that it works in. It is integrated in the frame that the water carries along.
 class CoupledRun {
  public:
   CoupledRun(const CoupledModel& model,
@@ -70,6 +70,7 @@ class CoupledRun {
         with_tangent_(with_tangent),
         drive_(model, entries, inputs.command),
         rate_(model, entries, inputs.command),
+        water_(model, entries, inputs),
         columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
         tangent_(CoupledTangent::Zero(12, columns_)),
         begin_tangent_(tangent_),
@@ -83,14 +84,6 @@ class CoupledRun {
     for (const FreeEntry& entry : entries) {
       jumps_ = jumps_ || IsLateness(entry);
     }
-    const auto current = model.current.find(inputs.log);
-    if (current != model.current.end()) current_.head<2>() = current->second;
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      const FreeEntry& entry = entries[k];
-      if (entry.kind != FreeEntry::Kind::kCurrent || entry.actuator != inputs.log) continue;
-      current_columns_.emplace_back(static_cast<Eigen::Index>(k), Index(entry.row));
-    }
-    flows_ = !current_.isZero(0.0) || !current_columns_.empty();
   }
 
   bool Over(const CoupledState& start, const CoupledStamps& stamps, CoupledOutputs* outputs) {
@@ -146,43 +139,19 @@ class CoupledRun {
     outputs->num_steps = 0;
     next_velocity_ = next_pose_ = 0;
     start_ = stamps.start;
-    if (flows_) AddCurrent(-1.0, &state_, &tangent_);
+    if (water_.Flows()) water_.ToWater(&state_, with_tangent_ ? &tangent_ : nullptr);
     drive_.Begin(stamps.start);
   }
 
-  // A run is integrated in a frame that the current carries along. Adds `sign` times the current to
-  // a velocity through the water, with its derivatives. DOFs that are not modelled stay as they
-  // are: what is measured of heave has no part of it while the vehicle is level.
-  void AddCurrent(double sign, CoupledFlow* state, CoupledTangent* tangent) const {
-    const Eigen::Matrix3d body_from_world =
-        Eigen::Quaterniond(state->attitude).toRotationMatrix().transpose();
-    const Eigen::Vector3d seen = body_from_world * current_;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      if (is_modelled_[static_cast<std::size_t>(i)]) state->nu[i] += sign * seen[i];
-    }
-    if (!with_tangent_) return;
-    const Eigen::Matrix3d by_turn = CrossMatrix(seen);
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      if (!is_modelled_[static_cast<std::size_t>(i)]) continue;
-      tangent->row(i) += sign * by_turn.row(i) * tangent->middleRows<3>(6);
-      for (const auto& [column, axis] : current_columns_) {
-        (*tangent)(i, column) += sign * body_from_world(i, axis);
-      }
-    }
-  }
-
-  // What a state in that frame and its derivatives are over ground, at `t` of log time [s].
+  // What a state in the frame of the water and its derivatives are over ground, at `t` of log time
+  // [s].
   std::pair<const CoupledFlow&, const CoupledTangent&> OverGround(double t,
                                                                   const CoupledFlow& in_water,
                                                                   const CoupledTangent& tangent) {
-    if (!flows_) return {in_water, tangent};
+    if (!water_.Flows()) return {in_water, tangent};
     over_ground_ = in_water;
     tangent_over_ground_ = tangent;
-    AddCurrent(1.0, &over_ground_, &tangent_over_ground_);
-    over_ground_.position += (t - start_) * current_;
-    for (const auto& [column, axis] : current_columns_) {
-      tangent_over_ground_(9 + axis, column) += t - start_;
-    }
+    water_.ToGround(t - start_, &over_ground_, with_tangent_ ? &tangent_over_ground_ : nullptr);
     return {over_ground_, tangent_over_ground_};
   }
 
@@ -378,6 +347,7 @@ class CoupledRun {
   const bool with_tangent_;
   CommandedDrive drive_;
   CoupledRate rate_;
+  const WaterFrame water_;
   const Eigen::Index columns_;
   std::array<bool, 6> is_modelled_ = {};
   std::array<std::size_t, 6> places_ = {};  // of LineAt()
@@ -389,10 +359,7 @@ class CoupledRun {
   Eigen::Matrix<double, 6, Eigen::Dynamic> forces_[4];  // of the entries, there
   TangentStep step_;
 
-  Eigen::Vector3d current_ = Eigen::Vector3d::Zero();                   // world [m/s]
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> current_columns_;  // and the axis of each
-  bool flows_ = false;                                                  // whether either is there
-  double start_ = 0.0;                                                  // [s]
+  double start_ = 0.0;  // [s]
   CoupledFlow over_ground_;
   CoupledTangent tangent_over_ground_;
 
