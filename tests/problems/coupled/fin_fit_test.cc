@@ -11,6 +11,7 @@
 #include <random>
 
 #include "drawn_vehicle.h"
+#include "plain_simulator.h"
 #include <gtest/gtest.h>
 
 namespace fathom {

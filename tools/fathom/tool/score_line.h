@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/vehicle/dof.h"
+#include "fathom/base/dof.h"
 #include "fathom/vehicle/fitted_model.h"
 
 #include <string>

@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/judge/confirmation.h"
 
 #include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/other_minima.h"
 #include "fathom/diagnosis/fit/start_price.h"
 
 #include <utility>
@@ -13,7 +14,9 @@ namespace {
 
 StructureFit FitToAll(const TrainingData& data, const WeighedSearch& search, int index) {
   const StructureFit& rough = search.found.book[index].fit;
-  return FitBy(search.criterion, data, rough.model, rough.initial, rough.noise);
+  StructureFit fit = FitBy(search.criterion, data, rough.model, rough.initial, rough.noise);
+  if (search.criterion == Criterion::kFreeRun) return fit;
+  return LikeliestMinimum(data, std::move(fit));
 }
 
 }  // namespace
