@@ -13,16 +13,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace fathom {
 namespace {
 
-constexpr std::array<double, 6> kStepsAside = {-8.0, -4.0, -2.0, 2.0, 4.0, 8.0};  // [std]
+constexpr std::array<double, 6> kStepsAside = {2.0, 4.0, 8.0, 16.0, 32.0, 64.0};  // [std]
 constexpr int kMostRounds = 4;
-constexpr double kHigher = 4.0;    // of chi squared, at most, for another noise to be learned there
+constexpr double kHigher = 4.0;    // of chi squared: what is higher the data rule out
 constexpr double kLikelier = 0.1;  // of the log-likelihood, at least
 constexpr double kTheSame = 1.0;   // [std], apart
 
@@ -53,20 +52,22 @@ bool AreOne(const TrainingData& data, const StructureFit& a, const StructureFit&
   });
 }
 
-// The other minima that searches from either side end in, under the noise of the fit, the lowest
-// first.
+// The other minima that searches from either side end in and that the data do not rule out under
+// the noise of the fit, the lowest first.
 std::vector<StructureFit> MinimaBeside(const TrainingData& data, const StructureFit& fit) {
   const Unknowns unknowns = Pack(data, fit.model, fit.initial);
   std::vector<StructureFit> minima;
   for (const int i : SizesIn(fit)) {
-    for (const double step : kStepsAside) {
-      Eigen::VectorXd value = unknowns.value;
-      value[i] += step * std::sqrt(fit.covariance(i, i));
-      if (!(value[i] > unknowns.lower[i] && value[i] < unknowns.upper[i])) continue;
-      StructureFit& aside = minima.emplace_back();
-      aside.model = fit.model;
-      aside.initial = fit.initial;
-      Unpack(data, value, &aside.model, &aside.initial);
+    for (const double side : {-1.0, 1.0}) {
+      for (const double step : kStepsAside) {
+        Eigen::VectorXd value = unknowns.value;
+        value[i] += side * step * std::sqrt(fit.covariance(i, i));
+        if (!(value[i] > unknowns.lower[i] && value[i] < unknowns.upper[i])) break;
+        StructureFit& aside = minima.emplace_back();
+        aside.model = fit.model;
+        aside.initial = fit.initial;
+        Unpack(data, value, &aside.model, &aside.initial);
+      }
     }
   }
   const Whitener whitener(fit.noise, data.samples());
@@ -80,6 +81,7 @@ std::vector<StructureFit> MinimaBeside(const TrainingData& data, const Structure
   });
   std::vector<StructureFit> others;
   for (StructureFit& aside : minima) {
+    if (aside.chi_squared > fit.chi_squared + kHigher) break;
     const bool is_known = !aside.IsUsable() || AreOne(data, fit, aside) ||
                           std::any_of(others.begin(), others.end(), [&](const auto& other) {
                             return AreOne(data, other, aside);
@@ -87,6 +89,20 @@ std::vector<StructureFit> MinimaBeside(const TrainingData& data, const Structure
     if (!is_known) others.push_back(std::move(aside));
   }
   return others;
+}
+
+// With the noise learned at each, as far as the first that is then likelier than the fit.
+std::vector<StructureFit> LearnedAt(const TrainingData& data,
+                                    const StructureFit& fit,
+                                    const std::vector<StructureFit>& minima) {
+  std::vector<StructureFit> learned;
+  for (const StructureFit& minimum : minima) {
+    StructureFit next = FitBy(Criterion::kLearnedNoise, data, minimum, fit.noise);
+    if (!next.IsUsable()) continue;
+    learned.push_back(std::move(next));
+    if (learned.back().log_likelihood > fit.log_likelihood + kLikelier) break;
+  }
+  return learned;
 }
 
 // Of the squares about the likeliest minimum, of itself and the others, each by its likelihood and
@@ -98,7 +114,8 @@ Eigen::MatrixXd CovarianceOfAll(const TrainingData& data,
   Eigen::MatrixXd sum = likeliest.covariance;
   double weights = 1.0;
   for (const StructureFit& other : others) {
-    const double weight = std::exp(0.5 * (likeliest.chi_squared - other.chi_squared));
+    if (AreOne(data, likeliest, other)) continue;
+    const double weight = std::exp(other.log_likelihood - likeliest.log_likelihood);
     const Eigen::VectorXd apart = ValuesOf(data, other) - at;
     sum += weight * (likeliest.covariance + apart * apart.transpose());
     weights += weight;
@@ -112,32 +129,19 @@ Eigen::MatrixXd CovarianceOfAll(const TrainingData& data,
   return covariance;
 }
 
-// One of the minima whose noise, once it is learned there, makes it likelier than the fit.
-std::optional<StructureFit> LikelierOf(const TrainingData& data,
-                                       const StructureFit& fit,
-                                       const std::vector<StructureFit>& others) {
-  for (const StructureFit& other : others) {
-    if (other.chi_squared > fit.chi_squared + kHigher) break;
-    StructureFit learned = FitBy(Criterion::kLearnedNoise, data, other, fit.noise);
-    const bool is_likelier =
-        learned.IsUsable() && learned.log_likelihood > fit.log_likelihood + kLikelier;
-    if (is_likelier) return learned;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 StructureFit LikeliestMinimum(const TrainingData& data, StructureFit fit) {
   if (!fit.IsUsable() || SizesIn(fit).empty()) return fit;
   for (int round = 0;; ++round) {
-    const std::vector<StructureFit> others = MinimaBeside(data, fit);
-    auto likelier = round < kMostRounds ? LikelierOf(data, fit, others) : std::nullopt;
-    if (!likelier) {
+    std::vector<StructureFit> others = LearnedAt(data, fit, MinimaBeside(data, fit));
+    const bool moves_on = round < kMostRounds && !others.empty() &&
+                          others.back().log_likelihood > fit.log_likelihood + kLikelier;
+    if (!moves_on) {
       fit.covariance = CovarianceOfAll(data, fit, others);
       return fit;
     }
-    fit = *std::move(likelier);
+    fit = std::move(others.back());
   }
 }
 
