@@ -9,6 +9,7 @@
 #include "fathom/signal/split_at_gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -40,6 +41,11 @@ struct Optimum {
   double huber_k;
 };
 
+struct FreeRun {
+  Eigen::VectorXd output;    // simulated; empty where rows are whitened
+  Eigen::VectorXd residual;  // in standard deviations
+};
+
 // Simulated segment by segment, a stretch at a time so that memory does not grow with the log.
 class SimulatedRows {
  public:
@@ -50,8 +56,8 @@ class SimulatedRows {
   double huber_k() const { return at_.huber_k; }
   Pieces PiecesOf(size_t s) const { return UnbrokenPieces(at_.segments[s].time); }
 
-  // In standard deviations, of the samples of segment `s`. Nothing if the simulation diverges.
-  std::optional<Eigen::VectorXd> Residual(size_t s) const;
+  // Of the samples of segment `s`. Nothing if the simulation diverges.
+  std::optional<FreeRun> Run(size_t s) const;
 
   // Calls visit(J, residual, is_end), as in Samples, for consecutive samples of an unbroken piece
   // of segment `s`. `is_end` tells that the piece ends. False if the simulation diverges.
@@ -62,7 +68,7 @@ class SimulatedRows {
   const Optimum& at_;
 };
 
-std::optional<Eigen::VectorXd> SimulatedRows::Residual(size_t s) const {
+std::optional<FreeRun> SimulatedRows::Run(size_t s) const {
   const Segment& segment = at_.segments[s];
   const bool is_velocity = at_.output == FittedOutput::kVelocity;
   std::vector<double> v(segment.time.size()), x(is_velocity ? 0 : v.size());
@@ -71,9 +77,8 @@ std::optional<Eigen::VectorXd> SimulatedRows::Residual(size_t s) const {
   const std::vector<double>& simulated = is_velocity ? v : x;
   const std::vector<double>& measured = is_velocity ? segment.velocity : segment.position;
   using Column = Eigen::Map<const Eigen::VectorXd>;
-  return (Column(simulated.data(), std::ssize(simulated)) -
-          Column(measured.data(), std::ssize(measured))) /
-         at_.sigma;
+  const Column output(simulated.data(), std::ssize(simulated));
+  return FreeRun{output, (output - Column(measured.data(), std::ssize(measured))) / at_.sigma};
 }
 
 template <typename Visit>
@@ -118,7 +123,7 @@ class WhitenedRows {
     return {{.begin = 0, .end = static_cast<size_t>(segments_[s].residual.size())}};
   }
 
-  std::optional<Eigen::VectorXd> Residual(size_t s) const { return segments_[s].residual; }
+  std::optional<FreeRun> Run(size_t s) const { return FreeRun{{}, segments_[s].residual}; }
 
   template <typename Visit>
   bool VisitRows(size_t s, const Pieces& /*pieces*/, Visit visit) const {
@@ -145,28 +150,82 @@ double FreedomFactor(const Autoregression& noise,
   return num_effective / (num_effective - num_unknowns);
 }
 
+// How many samples go into a mean, at most.
+constexpr std::array<size_t, 8> kBinSizes = {1, 2, 3, 4, 6, 8, 12, 16};
+constexpr double kFewestBins = 300.0;
+constexpr double kMostLost = 0.005;  // of the variance of the output, by means of bins
+
+// What means of bins lose of an output's variance.
+struct LostToBins {
+  double all = 0.0;
+  std::array<double, kBinSizes.size()> lost = {};
+
+  void Add(const Eigen::VectorXd& output) {
+    const Eigen::ArrayXd about = output.array() - output.mean();
+    all += about.square().sum();
+    for (size_t k = 0; k < kBinSizes.size(); ++k) {
+      const auto size = static_cast<Eigen::Index>(kBinSizes[k]);
+      for (Eigen::Index i = 0; i < about.size(); i += size) {
+        const auto bin = about.segment(i, std::min(size, about.size() - i));
+        lost[k] += (bin - bin.mean()).square().sum();
+      }
+    }
+  }
+
+  size_t LargestSize(double num_samples) const {
+    size_t largest = 1;
+    for (size_t k = 0; k < kBinSizes.size(); ++k) {
+      const bool are_many = num_samples >= kFewestBins * static_cast<double>(kBinSizes[k]);
+      if (are_many && lost[k] <= kMostLost * all) largest = kBinSizes[k];
+    }
+    return largest;
+  }
+};
+
 // The residuals, which tell their colour.
 struct Residuals {
   std::vector<Pieces> pieces;                  // by segment
   std::vector<std::vector<double>> influence;  // psi(r), by piece: r where it is small, k beyond
+  size_t bin_size = 1;                         // of samples that vary little in what is simulated
 };
+
+// Means of so many values, the last of fewer.
+std::vector<std::vector<double>> Binned(const std::vector<std::vector<double>>& pieces,
+                                        size_t size) {
+  std::vector<std::vector<double>> binned;
+  for (const std::vector<double>& piece : pieces) {
+    std::vector<double>& means = binned.emplace_back();
+    for (size_t i = 0; i < piece.size(); i += size) {
+      const size_t end = std::min(i + size, piece.size());
+      double sum = 0.0;
+      for (size_t j = i; j < end; ++j) sum += piece[j];
+      means.push_back(sum / static_cast<double>(end - i));
+    }
+  }
+  return binned;
+}
 
 // Nothing if a simulation diverges.
 template <typename Rows>
 std::optional<Residuals> ResidualsOf(const Rows& rows) {
   Residuals residuals;
+  LostToBins lost;
+  double num_samples = 0.0;
   for (size_t s = 0; s < rows.num_segments(); ++s) {
-    const auto residual = rows.Residual(s);
-    if (!residual) return std::nullopt;
+    const auto run = rows.Run(s);
+    if (!run) return std::nullopt;
+    if (run->output.size() > 0) lost.Add(run->output);
+    num_samples += static_cast<double>(run->residual.size());
     for (const SampleRange& piece : residuals.pieces.emplace_back(rows.PiecesOf(s))) {
       std::vector<double>& psi = residuals.influence.emplace_back();
       psi.reserve(piece.size());
       for (size_t i = piece.begin; i < piece.end; ++i) {
-        const double r = (*residual)[static_cast<Eigen::Index>(i)];
+        const double r = run->residual[static_cast<Eigen::Index>(i)];
         psi.push_back(std::clamp(r, -rows.huber_k(), rows.huber_k()));
       }
     }
   }
+  if (lost.all > 0.0) residuals.bin_size = lost.LargestSize(num_samples);
   return residuals;
 }
 
@@ -189,21 +248,86 @@ InfluenceSums SumsOf(const std::vector<std::vector<double>>& influence) {
   return sums;
 }
 
-// What residuals of the colour `noise` do to the parameters.
+int MaxOrder(double num_samples) {
+  return static_cast<int>(std::min({60.0, 10.0 * std::log10(num_samples), num_samples / 10.0}));
+}
+
+// The colour of means over bins of some samples.
+struct Colour {
+  size_t bin_size;
+  Autoregression noise;
+  InfluenceSums sums;
+};
+
+// What the variance of a mean over a long time tends to, times its number of samples.
+double LongRunVariance(const Colour& colour) {
+  double sum = 1.0;
+  for (const double phi : colour.noise.coefficients) sum -= phi;
+  return static_cast<double>(colour.bin_size) * colour.noise.innovation_variance / (sum * sum);
+}
+
+// That of the samples, or of means over bins where these have more of what is slow: among the
+// sensor's noise AIC takes little of it for none.
+Colour SlowerColour(const Autoregression& of_samples,
+                    const InfluenceSums& sums,
+                    const std::vector<std::vector<double>>& influence,
+                    size_t bin_size) {
+  Colour fine = {1, of_samples, sums};
+  if (bin_size == 1) return fine;
+  std::vector<std::vector<double>> means = Binned(influence, bin_size);
+  const InfluenceSums of_means = SumsOf(means);
+  Colour coarse = {
+      bin_size, FitAutoregression(std::move(means), MaxOrder(of_means.num_samples)), of_means};
+  return LongRunVariance(coarse) > LongRunVariance(fine) ? coarse : fine;
+}
+
+// Sums of the rows of each bin, as they arrive.
+class BinnedRows {
+ public:
+  BinnedRows(size_t size, int num_columns)
+      : size_(static_cast<Eigen::Index>(size)), open_(Eigen::RowVectorXd::Zero(num_columns)) {}
+
+  void Add(const Eigen::Ref<const Matrix>& rows, bool is_end) {
+    full_.resize((num_open_ + rows.rows()) / size_ + 1, rows.cols());
+    Eigen::Index num_full = 0;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      open_ += rows.row(i);
+      const bool is_last = is_end && i + 1 == rows.rows();
+      if (++num_open_ < size_ && !is_last) continue;
+      full_.row(num_full++) = open_;
+      open_.setZero();
+      num_open_ = 0;
+    }
+    full_.conservativeResize(num_full, Eigen::NoChange);
+  }
+
+  // Those that the last rows filled.
+  const Matrix& full() const { return full_; }
+
+ private:
+  const Eigen::Index size_;
+  Eigen::Index num_open_ = 0;
+  Eigen::RowVectorXd open_;
+  Matrix full_;
+};
+
+// What residuals of a colour do to the parameters.
 template <typename Rows>
 ReducedNormal NormalOf(const Rows& rows,
                        const std::vector<Pieces>& pieces,
-                       const Autoregression& noise,
+                       const Colour& colour,
                        const OffsetSharing& offsets) {
   ReducedNormal normal(static_cast<Eigen::Index>(offsets.Count()));
   const int num_columns = kSharedColumns + rows.state_size();
-  ColouredGram coloured(noise, num_columns);
+  ColouredGram coloured(colour.noise, num_columns);
+  BinnedRows bins(colour.bin_size, num_columns);
   for (size_t s = 0; s < rows.num_segments(); ++s) {
     Matrix A = Matrix::Zero(num_columns, num_columns), B = A;
     const auto visit = [&](const auto& J, const auto& residual, bool is_end) {
       const Eigen::VectorXd is_small = (residual.abs() <= rows.huber_k()).template cast<double>();
       A += J.transpose() * is_small.asDiagonal() * J;
-      coloured.Add(J);
+      bins.Add(J, is_end);
+      coloured.Add(bins.full());
       if (is_end) B += coloured.EndPiece();
     };
     rows.VisitRows(s, pieces[s], visit);
@@ -237,14 +361,15 @@ ParameterEvidence EvidenceOfRows(const Rows& rows, const OffsetSharing& offsets)
   std::optional<Residuals> residuals = ResidualsOf(rows);
   if (!residuals) return evidence;
   const InfluenceSums sums = SumsOf(residuals->influence);
-  const double n = sums.num_samples;
-  const int max_order = static_cast<int>(std::min({60.0, 10.0 * std::log10(n), n / 10.0}));
-  evidence.noise = FitAutoregression(std::move(residuals->influence), max_order);
   evidence.noise_correlation = sums.product / sums.power;
-  const ReducedNormal normal = NormalOf(rows, residuals->pieces, evidence.noise, offsets);
+  evidence.noise = FitAutoregression(residuals->influence, MaxOrder(sums.num_samples));
+  const Colour colour =
+      SlowerColour(evidence.noise, sums, residuals->influence, residuals->bin_size);
+  const ReducedNormal normal = NormalOf(rows, residuals->pieces, colour, offsets);
   const double num_unknowns = static_cast<double>(kBuoyancy + normal.num_offsets()) +
                               static_cast<double>(rows.num_segments()) * rows.state_size();
-  const double freedom = FreedomFactor(evidence.noise, sums.power, n, num_unknowns);
+  const double freedom =
+      FreedomFactor(colour.noise, colour.sums.power, colour.sums.num_samples, num_unknowns);
   DescribeParameters(normal, freedom, &evidence);
   return evidence;
 }
