@@ -4,12 +4,12 @@
 #include "fathom/output_error/parameter_covariance.h"
 
 #include "fathom/base/median.h"
+#include "fathom/output_error/noise_colour.h"
 #include "fathom/output_error/reduced_normal.h"
 #include "fathom/output_error/signatures.h"
 #include "fathom/signal/split_at_gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -135,53 +135,6 @@ class WhitenedRows {
   std::span<const Samples> segments_;
 };
 
-// The fit bends the residuals towards zero by as many degrees of freedom as it has unknowns, and
-// coloured residuals have fewer to give: the effective number of samples is n times the variance of
-// a white residual's mean over that of this one.
-double FreedomFactor(const Autoregression& noise,
-                     double sum_of_squares,
-                     double num_samples,
-                     double num_unknowns) {
-  double sum = 1.0;
-  for (const double phi : noise.coefficients) sum -= phi;
-  const double variance = sum_of_squares / num_samples;
-  const double shrink = std::min(1.0, variance * sum * sum / noise.innovation_variance);
-  const double num_effective = std::max(num_samples * shrink, 2.0 * num_unknowns);
-  return num_effective / (num_effective - num_unknowns);
-}
-
-// How many samples go into a mean, at most.
-constexpr std::array<size_t, 8> kBinSizes = {1, 2, 3, 4, 6, 8, 12, 16};
-constexpr double kFewestBins = 300.0;
-constexpr double kMostLost = 0.005;  // of the variance of the output, by means of bins
-
-// What means of bins lose of an output's variance.
-struct LostToBins {
-  double all = 0.0;
-  std::array<double, kBinSizes.size()> lost = {};
-
-  void Add(const Eigen::VectorXd& output) {
-    const Eigen::ArrayXd about = output.array() - output.mean();
-    all += about.square().sum();
-    for (size_t k = 0; k < kBinSizes.size(); ++k) {
-      const auto size = static_cast<Eigen::Index>(kBinSizes[k]);
-      for (Eigen::Index i = 0; i < about.size(); i += size) {
-        const auto bin = about.segment(i, std::min(size, about.size() - i));
-        lost[k] += (bin - bin.mean()).square().sum();
-      }
-    }
-  }
-
-  size_t LargestSize(double num_samples) const {
-    size_t largest = 1;
-    for (size_t k = 0; k < kBinSizes.size(); ++k) {
-      const bool are_many = num_samples >= kFewestBins * static_cast<double>(kBinSizes[k]);
-      if (are_many && lost[k] <= kMostLost * all) largest = kBinSizes[k];
-    }
-    return largest;
-  }
-};
-
 // The residuals, which tell their colour.
 struct Residuals {
   std::vector<Pieces> pieces;                  // by segment
@@ -189,32 +142,16 @@ struct Residuals {
   size_t bin_size = 1;                         // of samples that vary little in what is simulated
 };
 
-// Means of so many values, the last of fewer.
-std::vector<std::vector<double>> Binned(const std::vector<std::vector<double>>& pieces,
-                                        size_t size) {
-  std::vector<std::vector<double>> binned;
-  for (const std::vector<double>& piece : pieces) {
-    std::vector<double>& means = binned.emplace_back();
-    for (size_t i = 0; i < piece.size(); i += size) {
-      const size_t end = std::min(i + size, piece.size());
-      double sum = 0.0;
-      for (size_t j = i; j < end; ++j) sum += piece[j];
-      means.push_back(sum / static_cast<double>(end - i));
-    }
-  }
-  return binned;
-}
-
 // Nothing if a simulation diverges.
 template <typename Rows>
 std::optional<Residuals> ResidualsOf(const Rows& rows) {
   Residuals residuals;
-  LostToBins lost;
+  BinLosses losses;
   double num_samples = 0.0;
   for (size_t s = 0; s < rows.num_segments(); ++s) {
     const auto run = rows.Run(s);
     if (!run) return std::nullopt;
-    if (run->output.size() > 0) lost.Add(run->output);
+    if (run->output.size() > 0) losses.Add(run->output);
     num_samples += static_cast<double>(run->residual.size());
     for (const SampleRange& piece : residuals.pieces.emplace_back(rows.PiecesOf(s))) {
       std::vector<double>& psi = residuals.influence.emplace_back();
@@ -225,91 +162,9 @@ std::optional<Residuals> ResidualsOf(const Rows& rows) {
       }
     }
   }
-  if (lost.all > 0.0) residuals.bin_size = lost.LargestSize(num_samples);
+  residuals.bin_size = losses.LargestSize(num_samples);
   return residuals;
 }
-
-// Sums over the pieces of psi(r).
-struct InfluenceSums {
-  double num_samples = 0.0;
-  double power = 0.0;    // of squares
-  double product = 0.0;  // of neighbours
-};
-
-InfluenceSums SumsOf(const std::vector<std::vector<double>>& influence) {
-  InfluenceSums sums;
-  for (const auto& psi : influence) {
-    sums.num_samples += static_cast<double>(psi.size());
-    for (size_t i = 0; i < psi.size(); ++i) {
-      sums.power += psi[i] * psi[i];
-      if (i > 0) sums.product += psi[i] * psi[i - 1];
-    }
-  }
-  return sums;
-}
-
-int MaxOrder(double num_samples) {
-  return static_cast<int>(std::min({60.0, 10.0 * std::log10(num_samples), num_samples / 10.0}));
-}
-
-// The colour of means over bins of some samples.
-struct Colour {
-  size_t bin_size;
-  Autoregression noise;
-  InfluenceSums sums;
-};
-
-// What the variance of a mean over a long time tends to, times its number of samples.
-double LongRunVariance(const Colour& colour) {
-  double sum = 1.0;
-  for (const double phi : colour.noise.coefficients) sum -= phi;
-  return static_cast<double>(colour.bin_size) * colour.noise.innovation_variance / (sum * sum);
-}
-
-// That of the samples, or of means over bins where these have more of what is slow: among the
-// sensor's noise AIC takes little of it for none.
-Colour SlowerColour(const Autoregression& of_samples,
-                    const InfluenceSums& sums,
-                    const std::vector<std::vector<double>>& influence,
-                    size_t bin_size) {
-  Colour fine = {1, of_samples, sums};
-  if (bin_size == 1) return fine;
-  std::vector<std::vector<double>> means = Binned(influence, bin_size);
-  const InfluenceSums of_means = SumsOf(means);
-  Colour coarse = {
-      bin_size, FitAutoregression(std::move(means), MaxOrder(of_means.num_samples)), of_means};
-  return LongRunVariance(coarse) > LongRunVariance(fine) ? coarse : fine;
-}
-
-// Sums of the rows of each bin, as they arrive.
-class BinnedRows {
- public:
-  BinnedRows(size_t size, int num_columns)
-      : size_(static_cast<Eigen::Index>(size)), open_(Eigen::RowVectorXd::Zero(num_columns)) {}
-
-  void Add(const Eigen::Ref<const Matrix>& rows, bool is_end) {
-    full_.resize((num_open_ + rows.rows()) / size_ + 1, rows.cols());
-    Eigen::Index num_full = 0;
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      open_ += rows.row(i);
-      const bool is_last = is_end && i + 1 == rows.rows();
-      if (++num_open_ < size_ && !is_last) continue;
-      full_.row(num_full++) = open_;
-      open_.setZero();
-      num_open_ = 0;
-    }
-    full_.conservativeResize(num_full, Eigen::NoChange);
-  }
-
-  // Those that the last rows filled.
-  const Matrix& full() const { return full_; }
-
- private:
-  const Eigen::Index size_;
-  Eigen::Index num_open_ = 0;
-  Eigen::RowVectorXd open_;
-  Matrix full_;
-};
 
 // What residuals of a colour do to the parameters.
 template <typename Rows>
@@ -360,17 +215,14 @@ ParameterEvidence EvidenceOfRows(const Rows& rows, const OffsetSharing& offsets)
                                                        ParameterEvidence::kNotComputed);
   std::optional<Residuals> residuals = ResidualsOf(rows);
   if (!residuals) return evidence;
-  const InfluenceSums sums = SumsOf(residuals->influence);
-  evidence.noise_correlation = sums.product / sums.power;
-  evidence.noise = FitAutoregression(residuals->influence, MaxOrder(sums.num_samples));
-  const Colour colour =
-      SlowerColour(evidence.noise, sums, residuals->influence, residuals->bin_size);
+  const Colour of_samples = ColourOfSamples(residuals->influence);
+  evidence.noise_correlation = of_samples.sums.NeighbourCorrelation();
+  evidence.noise = of_samples.noise;
+  const Colour colour = SlowerColour(of_samples, residuals->influence, residuals->bin_size);
   const ReducedNormal normal = NormalOf(rows, residuals->pieces, colour, offsets);
   const double num_unknowns = static_cast<double>(kBuoyancy + normal.num_offsets()) +
                               static_cast<double>(rows.num_segments()) * rows.state_size();
-  const double freedom =
-      FreedomFactor(colour.noise, colour.sums.power, colour.sums.num_samples, num_unknowns);
-  DescribeParameters(normal, freedom, &evidence);
+  DescribeParameters(normal, FreedomFactor(colour, num_unknowns), &evidence);
   return evidence;
 }
 
