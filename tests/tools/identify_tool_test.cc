@@ -133,9 +133,10 @@ TEST(IdentifyTool, TakesSeveralLogsTogether) {
   const double std_once = once["parameters"]["inertia"]["std"];
   const double std_twice = twice["parameters"]["inertia"]["std"];
   EXPECT_NEAR(InertiaOf(twice), InertiaOf(once), 0.05 * std_once);
-  // 1 / sqrt(2), but for the correction for the number of unknowns, a few out of hundreds of
-  // effective samples.
-  EXPECT_NEAR(std_twice / std_once, std::sqrt(0.5), 0.03);
+  // 1 / sqrt(2), but for the correction for the number of unknowns: a factor of 1 to 2 on the
+  // variance, the nearer to 1 the more effective samples there are.
+  EXPECT_LT(std_twice / std_once, std::sqrt(0.5) + 0.01);
+  EXPECT_GT(std_twice / std_once, 0.55);
 }
 
 // The same motion under a command that reads 12 N more: as the log of a vehicle trimmed anew.

@@ -11,7 +11,7 @@ namespace fathom {
 namespace {
 
 constexpr double kAboutWhite = 0.7;  // correlation of neighbours: above, what is slow shows
-constexpr double kFewestBins = 300.0;
+constexpr std::size_t kFewestBins = 300;
 constexpr double kMostLost = 0.005;  // of the variance of the output, by means over bins
 
 // Means of so many values, the last of fewer.
@@ -86,6 +86,7 @@ double FreedomFactor(const Colour& colour, double num_unknowns) {
 
 void BinLosses::Add(const Eigen::VectorXd& output) {
   const Eigen::ArrayXd about = output.array() - output.mean();
+  longest_ = std::max(longest_, output.size());
   all_ += about.square().sum();
   for (std::size_t k = 0; k < kSizes.size(); ++k) {
     const auto size = static_cast<Eigen::Index>(kSizes[k]);
@@ -96,10 +97,10 @@ void BinLosses::Add(const Eigen::VectorXd& output) {
   }
 }
 
-std::size_t BinLosses::LargestSize(double num_samples) const {
+std::size_t BinLosses::LargestSize() const {
   std::size_t largest = 1;
   for (std::size_t k = 0; k < kSizes.size() && all_ > 0.0; ++k) {
-    const bool are_many = num_samples >= kFewestBins * static_cast<double>(kSizes[k]);
+    const bool are_many = static_cast<std::size_t>(longest_) >= kFewestBins * kSizes[k];
     if (are_many && lost_[k] <= kMostLost * all_) largest = kSizes[k];
   }
   return largest;

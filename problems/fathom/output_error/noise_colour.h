@@ -51,12 +51,14 @@ class BinLosses {
  public:
   void Add(const Eigen::VectorXd& output);
 
-  // The most samples in a bin that lose little and leave many bins; 1 where nothing was added.
-  std::size_t LargestSize(double num_samples) const;
+  // The most samples in a bin that lose little, and leave many bins of the longest output; 1 where
+  // nothing was added.
+  std::size_t LargestSize() const;
 
  private:
   static constexpr std::array<std::size_t, 8> kSizes = {1, 2, 3, 4, 6, 8, 12, 16};
 
+  Eigen::Index longest_ = 0;  // samples
   double all_ = 0.0;
   std::array<double, kSizes.size()> lost_ = {};
 };

@@ -147,12 +147,10 @@ template <typename Rows>
 std::optional<Residuals> ResidualsOf(const Rows& rows) {
   Residuals residuals;
   BinLosses losses;
-  double num_samples = 0.0;
   for (size_t s = 0; s < rows.num_segments(); ++s) {
     const auto run = rows.Run(s);
     if (!run) return std::nullopt;
     if (run->output.size() > 0) losses.Add(run->output);
-    num_samples += static_cast<double>(run->residual.size());
     for (const SampleRange& piece : residuals.pieces.emplace_back(rows.PiecesOf(s))) {
       std::vector<double>& psi = residuals.influence.emplace_back();
       psi.reserve(piece.size());
@@ -162,7 +160,7 @@ std::optional<Residuals> ResidualsOf(const Rows& rows) {
       }
     }
   }
-  residuals.bin_size = losses.LargestSize(num_samples);
+  residuals.bin_size = losses.LargestSize();
   return residuals;
 }
 

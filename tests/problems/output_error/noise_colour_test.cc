@@ -40,7 +40,7 @@ double LongRunVarianceOverTruth(std::size_t bin_size) {
 
 TEST(SlowerColour, KnowsWhatAicTakesForWhite) {
   EXPECT_LT(LongRunVarianceOverTruth(1), 0.75);
-  EXPECT_NEAR(LongRunVarianceOverTruth(8), 1.0, 0.15);
+  EXPECT_NEAR(LongRunVarianceOverTruth(8), 1.0, 0.2);
 }
 
 TEST(BinLosses, AreThoseOfASine) {
@@ -49,10 +49,12 @@ TEST(BinLosses, AreThoseOfASine) {
   Eigen::VectorXd sine(31416);
   for (Eigen::Index i = 0; i < sine.size(); ++i) sine[i] = std::sin(0.02 * static_cast<double>(i));
   BinLosses losses;
-  EXPECT_EQ(losses.LargestSize(31416), 1U) << "nothing was simulated";
+  EXPECT_EQ(losses.LargestSize(), 1U) << "nothing was simulated";
   losses.Add(sine);
-  EXPECT_EQ(losses.LargestSize(31416), 12U);
-  EXPECT_EQ(losses.LargestSize(1000), 3U) << "fewer than 300 bins";
+  EXPECT_EQ(losses.LargestSize(), 12U);
+  BinLosses of_few;
+  of_few.Add(sine.head(1000));
+  EXPECT_EQ(of_few.LargestSize(), 3U) << "fewer than 300 bins";
 }
 
 TEST(BinnedRows, AreSumsHoweverTheyArrive) {
