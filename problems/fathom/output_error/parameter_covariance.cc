@@ -41,7 +41,7 @@ struct Optimum {
   double huber_k;
 };
 
-struct FreeRun {
+struct SimulatedRun {
   Eigen::VectorXd output;    // simulated; empty where rows are whitened
   Eigen::VectorXd residual;  // in standard deviations
 };
@@ -57,7 +57,7 @@ class SimulatedRows {
   Pieces PiecesOf(size_t s) const { return UnbrokenPieces(at_.segments[s].time); }
 
   // Of the samples of segment `s`. Nothing if the simulation diverges.
-  std::optional<FreeRun> Run(size_t s) const;
+  std::optional<SimulatedRun> Run(size_t s) const;
 
   // Calls visit(J, residual, is_end), as in Samples, for consecutive samples of an unbroken piece
   // of segment `s`. `is_end` tells that the piece ends. False if the simulation diverges.
@@ -68,7 +68,7 @@ class SimulatedRows {
   const Optimum& at_;
 };
 
-std::optional<FreeRun> SimulatedRows::Run(size_t s) const {
+std::optional<SimulatedRun> SimulatedRows::Run(size_t s) const {
   const Segment& segment = at_.segments[s];
   const bool is_velocity = at_.output == FittedOutput::kVelocity;
   std::vector<double> v(segment.time.size()), x(is_velocity ? 0 : v.size());
@@ -78,7 +78,7 @@ std::optional<FreeRun> SimulatedRows::Run(size_t s) const {
   const std::vector<double>& measured = is_velocity ? segment.velocity : segment.position;
   using Column = Eigen::Map<const Eigen::VectorXd>;
   const Column output(simulated.data(), std::ssize(simulated));
-  return FreeRun{output, (output - Column(measured.data(), std::ssize(measured))) / at_.sigma};
+  return SimulatedRun{output, (output - Column(measured.data(), std::ssize(measured))) / at_.sigma};
 }
 
 template <typename Visit>
@@ -123,7 +123,9 @@ class WhitenedRows {
     return {{.begin = 0, .end = static_cast<size_t>(segments_[s].residual.size())}};
   }
 
-  std::optional<FreeRun> Run(size_t s) const { return FreeRun{{}, segments_[s].residual}; }
+  std::optional<SimulatedRun> Run(size_t s) const {
+    return SimulatedRun{{}, segments_[s].residual};
+  }
 
   template <typename Visit>
   bool VisitRows(size_t s, const Pieces& /*pieces*/, Visit visit) const {
