@@ -202,7 +202,7 @@ def synthesize(log, experiment, film, vehicle="flatfish", *more):
 
 
 class Filmed(unittest.TestCase):
-    """fathom.track and fathom.refine on corners, against fathom_track and fathom_refine."""
+    """A minute seen as corners, and a second as images."""
 
     @classmethod
     def setUpClass(cls):
@@ -241,6 +241,10 @@ class Filmed(unittest.TestCase):
     def refuses(self, pattern, call, *arguments, **options):
         with self.assertRaisesRegex(ValueError, pattern):
             call(*arguments, **options)
+
+
+class Tracked(Filmed):
+    """fathom.track, against fathom_track."""
 
     def test_track_gives_the_summary_and_the_log_of_the_tool(self):
         for log, more, options in [
@@ -288,6 +292,44 @@ class Filmed(unittest.TestCase):
         again = fathom.Log.from_arrays(log.command, None, path.pose, dof="surge")
         np.testing.assert_array_equal(again.pose["x"], path.position[:, 0])
 
+    def test_velocities_are_put_right_when_a_log_is_opened(self):
+        plain = fathom.open_log(self.minute).velocity
+        turned = fathom.open_log(self.minute, correct={"u": -2.0}).velocity
+        np.testing.assert_array_equal(turned["u"], -2.0 * plain["u"])
+        late = fathom.open_log(self.minute, late={"u": 0.5}).velocity
+        np.testing.assert_allclose(
+            late["u"], np.interp(late["t"] + 0.5, plain["t"], plain["u"]), atol=1e-12
+        )
+        with self.assertRaisesRegex(ValueError, "correct: 'u' by 0, expected a finite factor"):
+            fathom.open_log(self.minute, correct={"u": 0.0})
+
+    def test_what_cannot_be_tracked_is_a_value_error(self):
+        track = fathom.track
+        self.refuses("is no folder, expected a log folder", track, self.folder / "nowhere")
+        self.refuses("from_: is 'video', expected images", track, self.minute, from_="video")
+        self.refuses("expected from_=.images. too", track, self.minute, threads=2)
+        self.refuses("gate: is nan", track, self.minute, gate=float("nan"))
+        self.refuses("threads: is 0, expected 1 to 256", track, self.images, threads=0)
+        self.refuses("quad_decimate is nan", track, self.images, quad_decimate=float("nan"))
+        self.refuses("max_hamming is -1", track, self.images, max_hamming=-1)
+        self.refuses("without estimate_markers", track, self.minute, reference=4)
+        self.refuses("expected one of 4", track, self.minute, reference=9, estimate_markers=True)
+        lost = track(self.minute, gate=1e-300)
+        self.assertFalse(lost.is_usable)
+        self.refuses("no usable trajectory", lambda: lost.trajectory)
+        self.refuses("no usable trajectory", lost.save, self.folder / "lost")
+        self.assertIn("no usable trajectory", repr(lost))
+
+    def test_results_show_themselves(self):
+        track = fathom.track(self.minute)
+        for result in [track, track.trajectory]:
+            self.assertGreater(len(repr(result).splitlines()), 2)
+            self.assertTrue(result._repr_html_().lstrip().startswith("<"))
+
+
+class Refined(Filmed):
+    """fathom.refine on corners, against fathom_refine."""
+
     def test_refine_gives_the_files_of_the_tool(self):
         path = self.folder / "path.csv"
         for more, options in [
@@ -316,17 +358,6 @@ class Filmed(unittest.TestCase):
         low, high = ours.parameters["inertia"].interval
         self.assertTrue(low < ours.parameters["inertia"].value < high)
 
-    def test_velocities_are_put_right_when_a_log_is_opened(self):
-        plain = fathom.open_log(self.minute).velocity
-        turned = fathom.open_log(self.minute, correct={"u": -2.0}).velocity
-        np.testing.assert_array_equal(turned["u"], -2.0 * plain["u"])
-        late = fathom.open_log(self.minute, late={"u": 0.5}).velocity
-        np.testing.assert_allclose(
-            late["u"], np.interp(late["t"] + 0.5, plain["t"], plain["u"]), atol=1e-12
-        )
-        with self.assertRaisesRegex(ValueError, "correct: 'u' by 0, expected a finite factor"):
-            fathom.open_log(self.minute, correct={"u": 0.0})
-
     def test_a_log_whose_poses_are_of_its_detections_is_refined_alike(self):
         bare = self.folder / "bare"
         shutil.copytree(self.minute, bare)
@@ -336,23 +367,6 @@ class Filmed(unittest.TestCase):
         by_path = fathom.refine(bare)
         self.assertEqual(fathom.refine(opened).to_dict(), by_path.to_dict())
         self.assertFalse(any("pose.csv is not read" in remark for remark in by_path.remarks))
-
-    def test_what_cannot_be_tracked_is_a_value_error(self):
-        track = fathom.track
-        self.refuses("is no folder, expected a log folder", track, self.folder / "nowhere")
-        self.refuses("from_: is 'video', expected images", track, self.minute, from_="video")
-        self.refuses("expected from_=.images. too", track, self.minute, threads=2)
-        self.refuses("gate: is nan", track, self.minute, gate=float("nan"))
-        self.refuses("threads: is 0, expected 1 to 256", track, self.images, threads=0)
-        self.refuses("quad_decimate is nan", track, self.images, quad_decimate=float("nan"))
-        self.refuses("max_hamming is -1", track, self.images, max_hamming=-1)
-        self.refuses("without estimate_markers", track, self.minute, reference=4)
-        self.refuses("expected one of 4", track, self.minute, reference=9, estimate_markers=True)
-        lost = track(self.minute, gate=1e-300)
-        self.assertFalse(lost.is_usable)
-        self.refuses("no usable trajectory", lambda: lost.trajectory)
-        self.refuses("no usable trajectory", lost.save, self.folder / "lost")
-        self.assertIn("no usable trajectory", repr(lost))
 
     def test_what_cannot_be_refined_is_a_value_error(self):
         refine, minute = fathom.refine, self.minute
@@ -371,12 +385,6 @@ class Filmed(unittest.TestCase):
         self.refuses("is of arrays, expected a log folder", fathom.track, arrays)
         # Beyond reason, but numbers.
         refine(minute, clock_offset_std=1e300)
-
-    def test_results_show_themselves(self):
-        track = fathom.track(self.minute)
-        for result in [track, track.trajectory]:
-            self.assertGreater(len(repr(result).splitlines()), 2)
-            self.assertTrue(result._repr_html_().lstrip().startswith("<"))
 
 
 class FilmedTogether(Scratch):

@@ -89,27 +89,34 @@ TEST(SetupFit, SaysHowLittleOneMarkerTellsOfItsSize) {
   EXPECT_NEAR(summary.size_scale, 1.0, 4.0 * summary.size_scale_std);
 }
 
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+SyntheticCameraRun TwentySeconds(WanderKind wander) {
+  return Synthesize(
+      {.input = InputKind::kMultisine, .duration = 20.0, .wander = wander, .seed = 2});
+}
+
+void ExpectNoTrace(const SyntheticCameraRun& run, const JointOptions& options) {
+  const JointSummary summary = FitJoint(run.input, options);
+  EXPECT_FALSE(summary.IsUsable());
+  EXPECT_EQ(summary.message, "the corners do not determine some unknown.");
+}
+
 // The direction of the camera and the mean angles of a vehicle that never turns are one and the
-// same to the corners; so are size, place and direction together to those of one that wanders a
-// little. With nothing known beforehand there is no answer, and it says why; with something, there
-// is.
-TEST(SetupFit, SaysThatSomethingLeavesNoTraceWhereThePriorSaysNothingEither) {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  const auto expect_no_trace = [](const SyntheticCameraRun& run, const JointOptions& options) {
-    const JointSummary summary = FitJoint(run.input, options);
-    EXPECT_FALSE(summary.IsUsable());
-    EXPECT_EQ(summary.message, "the corners do not determine some unknown.");
-  };
-  CameraExperiment experiment = {
-      .input = InputKind::kMultisine, .duration = 20.0, .wander = WanderKind::kNone, .seed = 2};
-  const SyntheticCameraRun still = Synthesize(experiment);
-  expect_no_trace(still, {.mount_angle_std = kUnknown});
+// same to the corners. With nothing known beforehand there is no answer, and it says why; with
+// something, there is.
+TEST(SetupFit, SaysThatTheDirectionOfTheCameraLeavesNoTraceIfTheVehicleNeverTurns) {
+  const SyntheticCameraRun still = TwentySeconds(WanderKind::kNone);
+  ExpectNoTrace(still, {.mount_angle_std = kUnknown});
   const JointSummary known = FitJoint(still.input, {.mount_angle_std = 0.02});
   ASSERT_TRUE(known.IsUsable()) << known.message;
   EXPECT_NEAR(known.mount_std[3], 0.02, 0.002);
-  experiment.wander = WanderKind::kFiltered;
-  expect_no_trace(
-      Synthesize(experiment),
+}
+
+// Nor do size, place and direction together if it wanders a little.
+TEST(SetupFit, SaysThatSizeAndMountTogetherLeaveNoTraceIfTheVehicleWandersALittle) {
+  ExpectNoTrace(
+      TwentySeconds(WanderKind::kFiltered),
       {.size_scale_std = kUnknown, .mount_position_std = kUnknown, .mount_angle_std = kUnknown});
 }
 
