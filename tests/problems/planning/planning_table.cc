@@ -5,7 +5,7 @@
 //
 //   planning_table [vehicles] [correlation of the noise]
 
-#include "fathom/base/random_stream.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
 #include <chrono>
@@ -28,6 +28,41 @@ double WeakestOf(const TankVehicle& vehicle, const HeldCommand& command, double 
   if (std::isnan(fitted.model.inertia)) return INFINITY;
   const std::vector<double> shares = RelativeStds(fitted, vehicle);
   return *std::max_element(shares.begin(), shares.end());
+}
+
+constexpr int kRepeats = 20;
+
+// What fits of the planned experiment say, each time with other noise, over what was predicted:
+// root mean squares of what they report, by parameter, and of their true errors, of all.
+struct Repeats {
+  ParameterVector reported = ParameterVector::Zero();
+  double errors = 0.0;
+  int unusable = 0;
+};
+
+Repeats RepeatsOf(const TankVehicle& vehicle,
+                  const ExperimentPlan& plan,
+                  const TrueRun& run,
+                  double correlation) {
+  ParameterVector after;
+  for (int p = 0; p < kNumParameters; ++p) after[p] = plan.parameters[p].after;
+  ParameterVector variances = ParameterVector::Zero();
+  double squares = 0.0;
+  Repeats repeats;
+  for (std::uint64_t i = 0; i < kRepeats; ++i) {
+    const FittedModel fitted = FitTankLog(MeasuredRun(run, plan.command, 1000 + i, correlation));
+    if (std::isnan(fitted.model.inertia)) {
+      ++repeats.unusable;
+      continue;
+    }
+    variances += fitted.covariance.diagonal().cwiseQuotient(after.cwiseAbs2());
+    squares +=
+        (ToVector(fitted.model) - ToVector(vehicle.truth)).cwiseQuotient(after).squaredNorm();
+  }
+  const double num_usable = kRepeats - repeats.unusable;
+  repeats.reported = (variances / num_usable).cwiseSqrt();
+  repeats.errors = std::sqrt(squares / (num_usable * kNumParameters));
+  return repeats;
 }
 
 void TryVehicle(std::uint64_t seed, double correlation) {
@@ -56,7 +91,7 @@ void TryVehicle(std::uint64_t seed, double correlation) {
   }
   fmt::print(
       "{:3} m {:6.1f} dq {:5.1f} dl {:5.1f} b {:5.2f} | weakest {:7.4f} /steps {:5.2f} "
-      "/multi {:5.2f} /sine {:5.2f} | measured/predicted",
+      "/multi {:5.2f} /sine {:5.2f} | fits/predicted",
       seed,
       vehicle.truth.inertia,
       vehicle.truth.quadratic_damping,
@@ -66,11 +101,12 @@ void TryVehicle(std::uint64_t seed, double correlation) {
       planned / steps,
       planned / multisines,
       planned / WeakestOf(vehicle, sine, correlation));
-  for (int i = 0; i < 4; ++i) {
-    fmt::print(" {:4.2f}", std::sqrt(fitted.covariance(i, i)) / plan.parameters[i].after);
-  }
+  const Repeats repeats = RepeatsOf(vehicle, plan, run, correlation);
+  for (const double ratio : repeats.reported) fmt::print(" {:4.2f}", ratio);
   fmt::print(
-      " | {} breaking {:.3f} | blocks {} | {:.1f} s\n",
+      " errors {:4.2f} unusable {} | {} breaking {:.3f} | blocks {} | {:.1f} s\n",
+      repeats.errors,
+      repeats.unusable,
       KeepsTankLimits(RunTruth(vehicle.truth, plan.command, kDuration + 10.0), vehicle.limits)
           ? "kept"
           : "BROKEN",
