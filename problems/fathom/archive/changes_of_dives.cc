@@ -34,7 +34,7 @@ DiveEstimate EstimateOf(const FittedDive& fit, int place) {
     const FittedCoupledModel fitted = ParseCoupledModel(fit.vehicle, fit.model);
     DiveEstimate estimate;
     estimate.dive = place;
-    std::vector<Eigen::Index> of_vehicle;  // a current says nothing of it
+    std::vector<Eigen::Index> of_vehicle;  // what is of a run says nothing of it
     for (std::size_t k = 0; k < fitted.entries.size(); ++k) {
       if (IsOfRun(fitted.entries[k])) continue;
       of_vehicle.push_back(static_cast<Eigen::Index>(k));

@@ -40,14 +40,14 @@ LogsOfDofs LogsWithCoupledModels(const std::vector<BatchLog>& logs) {
   return by_dofs;
 }
 
-bool IsCurrent(const std::string& entry) { return IsOfRun(ParseFreeEntry(entry)); }
+bool IsOfOneDive(const std::string& entry) { return IsOfRun(ParseFreeEntry(entry)); }
 
 // What all dives of these logs free beyond a diagonal model.
 std::vector<std::string> FreeInAll(const std::vector<const BatchLog*>& logs) {
   std::map<std::string, std::set<std::string>> dives_that_show;
   for (const BatchLog* log : logs) {
     for (const std::string& entry : log->coupled->beyond_diagonal) {
-      if (!IsCurrent(entry)) dives_that_show[entry].insert(log->dive);
+      if (!IsOfOneDive(entry)) dives_that_show[entry].insert(log->dive);
     }
   }
   std::vector<std::string> free;
@@ -78,7 +78,8 @@ std::map<CoupledFitKey, CoupledDiveTask> CoupledDiveTasks(
       if (task.logs.empty()) task.free = free;
       task.logs.push_back(log->log);
       // A current is that of its own log.
-      std::ranges::copy_if(log->coupled->beyond_diagonal, std::back_inserter(task.free), IsCurrent);
+      std::ranges::copy_if(
+          log->coupled->beyond_diagonal, std::back_inserter(task.free), IsOfOneDive);
     }
   }
   return tasks;

@@ -91,6 +91,10 @@ std::string Meaning(const FreeEntry& entry) {
                        entry.row == Dof::kSurge ? "north (below 0 south)" : "east (below 0 west)",
                        entry.actuator);
   }
+  if (entry.kind == Kind::kRunOffset) {
+    return fmt::format(
+        "During {} {} resists that the other logs do not have", entry.actuator, Acts(entry.row));
+  }
   if (entry.kind == Kind::kFinRateLimit) {
     return fmt::format("Fin {} turns to its command no faster than this rate", entry.actuator);
   }
@@ -210,7 +214,13 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis,
     if (cause.entry.kind == Kind::kThrusterLag) {
       steps.push_back("Log the propellers' speed and use it in place of the command.");
     }
-    if (IsOfRun(cause.entry)) {
+    if (cause.entry.kind == Kind::kRunOffset) {
+      steps.push_back(
+          fmt::format("Look at what was different in {}: ballast, trim, a tether, the neutral "
+                      "angle of a fin. The other numbers hold without it.",
+                      cause.entry.actuator));
+    }
+    if (cause.entry.kind == Kind::kCurrent) {
       const std::string step =
           fmt::format("The current is that of {} alone. The other numbers hold in still water.",
                       cause.entry.actuator);

@@ -81,7 +81,8 @@ bool IsIn(const FreeEntry& entry, const CoupledLogs& logs, const std::vector<Dof
   }
   if (entry.actuator.empty()) return true;  // of all
   if (IsOfRun(entry)) {
-    return std::ranges::count(logs.data, entry.actuator, &CoupledData::log) == 1;
+    return std::ranges::count(dofs, entry.row) > 0 &&
+           std::ranges::count(logs.data, entry.actuator, &CoupledData::log) == 1;
   }
   if (entry.kind != FreeEntry::Kind::kThrustGain) {
     return std::ranges::any_of(command.fins,
@@ -103,7 +104,7 @@ MotionStructure WithEntries(MotionStructure structure,
     if (!IsIn(entry, logs, structure.dofs)) {
       throw InputError(
           fmt::format("{}: nothing is there for {} to be of, expected a thruster or a fin of the "
-                      "vehicle file, or DOFs that are modelled.",
+                      "vehicle file, the name in one log.yaml, or DOFs that are modelled.",
                       logs.data.front().log,
                       NameOf(entry)));
     }

@@ -48,7 +48,7 @@ bool IsOfStuckFin(const FreeEntry& entry, const MotionStructure& structure) {
   return IsOfActuator(entry) && Holds(structure, FinStuckEntry(entry.actuator));
 }
 
-// Everything off the diagonal, the thrusters, the fins, the effects and the current of each log.
+// Everything off the diagonal, the thrusters, the fins, the effects, and what is of each log.
 std::vector<FreeEntry> CandidatesBeyond(std::span<const CoupledData> logs,
                                         const MotionStructure& structure,
                                         const EntrySearchOptions& options) {
@@ -69,6 +69,11 @@ std::vector<FreeEntry> CandidatesBeyond(std::span<const CoupledData> logs,
       if (!log.has_attitude || !is_named_once) continue;
       for (const Dof axis : {Dof::kSurge, Dof::kSway}) all.push_back(CurrentEntry(axis, log.log));
     }
+  }
+  // One log's own is its offset.
+  for (const CoupledData& log : logs) {
+    if (logs.size() == 1 || std::ranges::count(logs, log.log, &CoupledData::log) != 1) continue;
+    for (const Dof dof : structure.dofs) all.push_back(RunOffsetEntry(dof, log.log));
   }
   for (const std::string& thruster : options.thrusters) all.push_back(ThrustGainEntry(thruster));
   for (const StructureFin& fin : options.fins) {

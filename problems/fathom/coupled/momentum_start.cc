@@ -74,6 +74,7 @@ Vector6 RateOf(const FreeEntry& entry,
       break;
     case Kind::kThrusterEffect:
     case Kind::kCurrent:
+    case Kind::kRunOffset:
     case Kind::kThrustGain:
     case Kind::kThrustAngle:
     case Kind::kTimeOffset:

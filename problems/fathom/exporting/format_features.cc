@@ -334,6 +334,7 @@ ExportFeature FeatureOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kThrusterEffect:
       return ExportFeature::kThrusterEffect;
     case FreeEntry::Kind::kCurrent:  // of a run, in no export
+    case FreeEntry::Kind::kRunOffset:
       break;
   }
   return ExportFeature::kThrustGain;

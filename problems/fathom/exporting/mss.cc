@@ -49,6 +49,7 @@ std::string Assignment(const ExportNumber& number) {
     case FreeEntry::Kind::kEffect:
     case FreeEntry::Kind::kThrusterEffect:
     case FreeEntry::Kind::kCurrent:
+    case FreeEntry::Kind::kRunOffset:
       return "";
   }
   return "";

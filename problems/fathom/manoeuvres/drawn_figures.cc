@@ -20,12 +20,22 @@ namespace {
 
 constexpr double kEnoughDraws = 0.8;  // of all, for an interval
 
+// How the offsets scatter from run to run, by those that the model knows of single runs: another
+// run has one too.
+Vector6 RunScatter(const FittedCoupledModel& fitted) {
+  Vector6 squares = Vector6::Zero();
+  for (const auto& [run, offset] : fitted.model.run_offset) squares += offset.cwiseAbs2();
+  const double num_others = static_cast<double>(fitted.log_fingerprints.size()) - 1.0;
+  return (squares / std::max(num_others, 1.0)).cwiseSqrt();
+}
+
 }  // namespace
 
 std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
                                      int count,
                                      std::uint64_t seed) {
   const Eigen::MatrixXd root = CovarianceFactor(fitted.covariance);
+  const Vector6 scatter = RunScatter(fitted);
   RandomStream random(seed, "manoeuvre");
   std::vector<CoupledModel> models;
   for (int i = 0; i < count; ++i) {
@@ -39,6 +49,8 @@ std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
       if (IsLimit(entry) && !MayBe(entry, value)) continue;
       SetValue(entry, IsLag(entry) ? std::max(value, 0.0) : value, &model);
     }
+    if (scatter.isZero(0.0)) continue;
+    for (Eigen::Index i = 0; i < 6; ++i) model.offset[i] += scatter[i] * random.Normal();
   }
   return models;
 }

@@ -15,7 +15,8 @@ namespace fathom {
 
 using ManoeuvreFigures = std::optional<std::vector<ManoeuvreFigure>>;
 
-// `count` models from the covariance, in an order that `seed` determines.
+// `count` models from the covariance, in an order that `seed` determines. Where the model knows
+// offsets of single runs, each is of another run, whose offset scatters as those do.
 std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
                                      int count,
                                      std::uint64_t seed);

@@ -99,6 +99,37 @@ TEST(ACurrent, IsThatOfItsLog) {
                                    "current.east.dive_1"));
 }
 
+// Four logs of 60 s; through one of them a moment acts on a boat in the plane.
+CoupledLogs LogsWithAMoment(double moment, unsigned seed, CoupledModel* vehicle) {
+  std::mt19937 random(seed);
+  *vehicle = DrawnPlanarVehicle(&random);
+  CoupledLogs logs;
+  for (int k = 0; k < 4; ++k) {
+    CoupledModel pushed = *vehicle;
+    if (k == 2) pushed.offset[Index(Dof::kYaw)] += moment;
+    CoupledData& log = logs.data.emplace_back(DrawnLog(pushed, {.duration = 60.0}, &random));
+    log.log = log.inputs.log = std::string("dive_") + std::to_string(k);
+  }
+  return logs;
+}
+
+TEST(AnOffsetOfARun, IsNamedByItsLog) {
+  CoupledModel vehicle;
+  const CoupledLogs logs = LogsWithAMoment(0.1, 7301, &vehicle);
+  const Ladder ladder = ClimbLadder(logs, vehicle.dofs, {});
+  ASSERT_EQ(ladder.named.size(), 1u);
+  const NamedEntry& named = ladder.named.front();
+  EXPECT_EQ(named.entry, RunOffsetEntry(Dof::kYaw, "dive_2"));
+  EXPECT_LT(std::abs(named.value - 0.1), 3.3 * named.std);
+  EXPECT_LT(named.std, 0.02);
+}
+
+TEST(AnOffsetOfARun, IsNotNamedWhereAllLogsAreAlike) {
+  CoupledModel vehicle;
+  const CoupledLogs logs = LogsWithAMoment(0.0, 7302, &vehicle);
+  EXPECT_TRUE(ClimbLadder(logs, vehicle.dofs, {}).named.empty());
+}
+
 // 100 s of four thrusters, each of which was told `more` than it gave.
 Ladder LadderOfTold(double (*more)(double)) {
   std::mt19937 random(7100);

@@ -64,6 +64,12 @@ CoupledScore ScoreCoupled(const FittedCoupledModel& fitted, const Log& log, doub
         "The model knows the current of {}, not of this log, which is simulated in still water.",
         fmt::join(std::views::keys(fitted.model.current), ", ")));
   }
+  if (!score.is_trained_on_it && !fitted.model.run_offset.empty()) {
+    score.data.remarks.push_back(
+        fmt::format("The model knows offsets of {} alone. This log may have one as large, which is "
+                    "not foreseen.",
+                    fmt::join(std::views::keys(fitted.model.run_offset), ", ")));
+  }
   score.prediction = PredictCoupled(fitted.model, {&score.data, 1}, horizon);
   return score;
 }

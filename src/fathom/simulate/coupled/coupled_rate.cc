@@ -48,6 +48,7 @@ Eigen::Index OnlyRowOf(const FreeEntry& entry) {
     case FreeEntry::Kind::kQuadraticDamping:
     case FreeEntry::Kind::kRightingMoment:
     case FreeEntry::Kind::kOffset:
+    case FreeEntry::Kind::kRunOffset:
     case FreeEntry::Kind::kLift:
       return Index(entry.row);
     case FreeEntry::Kind::kEffect:
@@ -61,13 +62,17 @@ Eigen::Index OnlyRowOf(const FreeEntry& entry) {
 
 CoupledRate::CoupledRate(const CoupledModel& model,
                          std::span<const FreeEntry> entries,
-                         const CoupledCommand& command)
+                         const CoupledCommand& command,
+                         const std::string& log)
     : model_(model),
       entries_(entries),
       command_(command),
       shaft_of_entry_(entries.size()),
       fin_of_entry_(entries.size()),
-      has_lift_(!model.lift.isZero(0.0)) {
+      has_lift_(!model.lift.isZero(0.0)),
+      offset_(model.offset) {
+  const auto of_run = model.run_offset.find(log);
+  if (of_run != model.run_offset.end()) offset_ += of_run->second;
   const auto value_or_0 = [](const std::map<std::string, double>& values, const std::string& name) {
     const auto found = values.find(name);
     return found == values.end() ? 0.0 : found->second;
@@ -105,7 +110,10 @@ CoupledRate::CoupledRate(const CoupledModel& model,
       if (value != 0.0) effects_.push_back({effect, Index(dof), value});
     }
   }
-  for (const FreeEntry& entry : entries) rows_.push_back(OnlyRowOf(entry));
+  for (const FreeEntry& entry : entries) {
+    rows_.push_back(OnlyRowOf(entry));
+    is_of_other_run_.push_back(IsOfRun(entry) && entry.actuator != log);
+  }
   is_usable_ = IsPositiveDefinite(model.inertia, model.dofs);
   if (!is_usable_) return;
   const auto size = static_cast<Eigen::Index>(model.dofs.size());
@@ -170,7 +178,7 @@ EffectResistance CoupledRate::ResistanceAt(const ModelEffect& effect, const Vect
 
 CoupledFlow CoupledRate::At(const CoupledFlow& state, const CoupledDrive& drive) const {
   const Vector6& nu = state.nu;
-  Vector6 force = drive.tau - model_.offset - Restoring(model_, DownIn(state.attitude));
+  Vector6 force = drive.tau - offset_ - Restoring(model_, DownIn(state.attitude));
   force.noalias() -= model_.linear_damping * nu;
   force.noalias() -= model_.quadratic_damping * nu.cwiseAbs().cwiseProduct(nu);
   if (has_lift_) force.noalias() -= nu[0] * (model_.lift * nu);
@@ -268,6 +276,9 @@ void CoupledRate::ForcesOfEntries(const CoupledFlow& state,
         break;
       case FreeEntry::Kind::kOffset:
         force[row] = -1.0;
+        break;
+      case FreeEntry::Kind::kRunOffset:
+        force[row] = is_of_other_run_[k] ? 0.0 : -1.0;
         break;
       case FreeEntry::Kind::kThrustGain:
         force = drive.tau_by_entry[k];

@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,10 +32,11 @@ struct CoupledFlow {
 // docs/coupled.md (1) as a rate of the state, and its derivative.
 class CoupledRate {
  public:
-  // All must outlive this.
+  // All must outlive this. `log`: of the run, by whose name the model may know an offset.
   CoupledRate(const CoupledModel& model,
               std::span<const FreeEntry> entries,
-              const CoupledCommand& command);
+              const CoupledCommand& command,
+              const std::string& log = {});
 
   bool IsUsable() const { return is_usable_; }
 
@@ -110,6 +112,8 @@ class CoupledRate {
   std::vector<std::optional<std::size_t>> shaft_of_entry_;  // whose gain an entry is
   std::vector<std::size_t> fin_of_entry_;  // in fins_, of entries that belong to one
   bool has_lift_ = false;
+  Vector6 offset_;                     // of this run
+  std::vector<bool> is_of_other_run_;  // of the entries
   Matrix6 inverse_ = Matrix6::Zero();  // of the modelled part of M
   Vector6 scale_ = Vector6::Zero();    // 1 / sqrt(M_ii), 0 where not modelled
   double restoring_rate_ = 0.0;        // [1/s]

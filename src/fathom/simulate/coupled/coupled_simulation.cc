@@ -69,7 +69,7 @@ class CoupledRun {
         inputs_(inputs),
         with_tangent_(with_tangent),
         drive_(model, entries, inputs.command),
-        rate_(model, entries, inputs.command),
+        rate_(model, entries, inputs.command, inputs.log),
         water_(model, entries, inputs),
         columns_(with_tangent ? NumCoupledColumns(model, entries) : 0),
         tangent_(CoupledTangent::Zero(12, columns_)),

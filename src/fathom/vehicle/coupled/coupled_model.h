@@ -86,6 +86,9 @@ struct CoupledModel {
   // [m/s]; absent: 0.
   std::map<std::string, Eigen::Vector2d> current = {};
 
+  // What a run adds to `offset`, by the name of its log [N], [N m]; absent: 0.
+  std::map<std::string, Vector6> run_offset = {};
+
   bool coriolis = false;
 };
 

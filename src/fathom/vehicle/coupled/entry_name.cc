@@ -123,6 +123,7 @@ std::string SiUnitOf(const FreeEntry& entry) {
       return UnitOfMetres(row + 2 * column - 1, 0);
     case EntryKind::kRightingMoment:
     case EntryKind::kOffset:
+    case EntryKind::kRunOffset:
       return std::string(ForceUnit(entry.row));
     case EntryKind::kNetBuoyancy:
       return "N";
@@ -160,6 +161,9 @@ std::string NameOf(const FreeEntry& entry) {
   if (entry.kind == EntryKind::kCurrent) {
     const bool is_north = entry.row == Dof::kSurge;
     return fmt::format("current.{}.{}", is_north ? "north" : "east", entry.actuator);
+  }
+  if (entry.kind == EntryKind::kRunOffset) {
+    return fmt::format("offset.{}.{}", Name(entry.row), entry.actuator);
   }
   const std::string_view kind =
       IsEffect(entry) ? entry.effect->info().name : NameOfKind(entry.kind);
@@ -201,6 +205,9 @@ FreeEntry ParseFreeEntry(std::string_view name) {
   const std::size_t second_dot = tail.find('.');
   const bool is_pair = second_dot != std::string_view::npos;
   const std::optional<Dof> row = DofFromName(tail.substr(0, second_dot));
+  if (kind == EntryKind::kOffset && row && is_pair && second_dot + 1 < tail.size()) {
+    return RunOffsetEntry(*row, std::string(tail.substr(second_dot + 1)));
+  }
   const std::optional<Dof> column = is_pair ? DofFromName(tail.substr(second_dot + 1)) : row;
   if (!row || !column || (is_pair && (!HasPair(kind) || row == column))) {
     RefuseEntry(name,

@@ -64,6 +64,9 @@ double* PlaceIn(CoupledModel* model, const FreeEntry& entry) {
     case EntryKind::kCurrent:
       return &model->current.try_emplace(entry.actuator, Eigen::Vector2d::Zero())
                   .first->second[Index(entry.row)];
+    case EntryKind::kRunOffset:
+      return &model->run_offset.try_emplace(entry.actuator, Vector6::Zero())
+                  .first->second[Index(entry.row)];
   }
   return nullptr;
 }
@@ -109,6 +112,9 @@ std::vector<FreeEntry> EntriesIn(const CoupledModel& model) {
   for (const auto& [fin, lag] : model.fin_lag) add(FinLagEntry(fin), 0.0);
   for (const auto& [log, current] : model.current) {
     for (const Dof axis : {Dof::kSurge, Dof::kSway}) add(CurrentEntry(axis, log), 0.0);
+  }
+  for (const auto& [log, offset] : model.run_offset) {
+    for (const Dof row : kAllDofs) add(RunOffsetEntry(row, log), 0.0);
   }
   for (const auto& [fin, rate] : model.fin_rate_limit) add(FinRateLimitEntry(fin), kNoLimit);
   for (const auto& [fin, angle] : model.fin_stall) add(FinStallEntry(fin), kNoLimit);

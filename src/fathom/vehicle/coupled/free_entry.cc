@@ -56,6 +56,9 @@ FreeEntry FinLagEntry(const std::string& fin) {
 FreeEntry CurrentEntry(Dof axis, const std::string& log) {
   return {EntryKind::kCurrent, axis, axis, log};
 }
+FreeEntry RunOffsetEntry(Dof row, const std::string& log) {
+  return {EntryKind::kRunOffset, row, row, log};
+}
 FreeEntry FinRateLimitEntry(const std::string& fin) {
   return {EntryKind::kFinRateLimit, Dof::kSurge, Dof::kSurge, fin};
 }
@@ -78,7 +81,9 @@ bool IsOfActuator(const FreeEntry& entry) {
          entry.kind == EntryKind::kThrusterEffect || IsOfRun(entry);
 }
 
-bool IsOfRun(const FreeEntry& entry) { return entry.kind == EntryKind::kCurrent; }
+bool IsOfRun(const FreeEntry& entry) {
+  return entry.kind == EntryKind::kCurrent || entry.kind == EntryKind::kRunOffset;
+}
 
 bool IsLag(const FreeEntry& entry) {
   return entry.kind == EntryKind::kThrusterLag || entry.kind == EntryKind::kFinLag;

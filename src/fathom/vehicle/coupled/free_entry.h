@@ -35,6 +35,7 @@ namespace fathom {
 //   coulomb_friction.surge        an effect along a DOF, coupled_effects.h
 //   thrust_dead_zone              one of the thrust of every thruster
 //   current.north.dive_3          along x of the world, in the log `dive_3`; current.east.dive_3
+//   offset.yaw.dive_3             what the log `dive_3` adds to offset.yaw
 struct FreeEntry {
   enum class Kind {
     kInertia,
@@ -58,12 +59,13 @@ struct FreeEntry {
     kEffect,
     kThrusterEffect,
     kCurrent,  // row: surge for north, sway for east
+    kRunOffset,
   };
   Kind kind = Kind::kInertia;
   Dof row = Dof::kSurge;  // along which it acts; the lower one of a pair in the inertia
   Dof column =
       Dof::kSurge;  // by whose velocity or acceleration; the row itself where there is none
-  // The thruster of a thrust gain, the fin of a fin's number, the log of a current.
+  // The thruster of a thrust gain, the fin of a fin's number, the log of a run's number.
   std::string actuator = {};
   const Effect* effect = nullptr;  // of kEffect and kThrusterEffect; of the catalogue
 
@@ -87,6 +89,7 @@ FreeEntry FinNeutralEntry(const std::string& fin);
 FreeEntry FinStuckEntry(const std::string& fin);
 FreeEntry FinLagEntry(const std::string& fin);
 FreeEntry CurrentEntry(Dof axis, const std::string& log);
+FreeEntry RunOffsetEntry(Dof row, const std::string& log);
 FreeEntry FinRateLimitEntry(const std::string& fin);
 FreeEntry FinStallEntry(const std::string& fin);
 FreeEntry EffectEntry(const Effect& effect, Dof row);

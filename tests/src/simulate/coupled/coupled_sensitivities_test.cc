@@ -115,6 +115,14 @@ TEST(RunCoupledWithSensitivities, HasThemInACurrent) {
   ExpectDerivativesOfDifferences(model, inputs);
 }
 
+TEST(RunCoupledWithSensitivities, HasThemWithAnOffsetOfTheRun) {
+  CoupledInputs inputs = FinnedSteps(5);
+  inputs.log = "dive";
+  CoupledModel model = FinnedRov();
+  model.run_offset["dive"] << 3.0, -2.0, 1.0, 0.0, 0.5, -1.0;
+  ExpectDerivativesOfDifferences(model, inputs);
+}
+
 // One that turns all the time, and one that arrives.
 TEST(RunCoupledWithSensitivities, HasThemWithLimitedRates) {
   CoupledModel limited = FinnedRov();

@@ -29,6 +29,8 @@ TEST(FreeEntry, HasTheNameThatItIsReadFrom) {
                                  "righting_moment.pitch",
                                  "net_buoyancy",
                                  "offset.yaw",
+                                 "offset.yaw.dive_3",
+                                 "offset.heave.2026.11.30",
                                  "thrust_gain.port",
                                  "thrust_angle",
                                  "lift.yaw.sway",
