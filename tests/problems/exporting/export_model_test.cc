@@ -71,6 +71,14 @@ TEST(ExportModel, HoldsEveryNumberOfAModelOfSeveralDofs) {
   EXPECT_THAT(exported.notes, IsEmpty());
 }
 
+TEST(ExportModel, LeavesOutWhatIsOfOneRunAndSaysSo) {
+  FittedCoupledModel fitted = GenericBoat();
+  SetValue(RunOffsetEntry(Dof::kYaw, "dive_3"), 1.5, &fitted.model);
+  const ExportModel exported = ReadExportModel({Saved("boat.json", FormatCoupledModel(fitted))});
+  for (const ExportNumber& number : exported.numbers) EXPECT_FALSE(IsOfRun(number.entry));
+  EXPECT_THAT(exported.notes, ElementsAre(HasSubstr("dive_3")));
+}
+
 // The whole paths stand once, in the head.
 TEST(ExportModel, NamesTheLogsOfANumberInShort) {
   FittedCoupledModel fitted = GenericBoat();
