@@ -217,9 +217,6 @@ ExportModel ExportModelOf(const FittedCoupledModel& fitted, const std::string& f
         current[1]));
   }
   for (const auto& [run, offset] : fitted.model.run_offset) {
-    exported.notes.push_back(fmt::format("What {} adds to the offset is left out.", run));
-  }
-  for (const auto& [run, offset] : fitted.model.run_offset) {
     exported.notes.push_back(
         fmt::format("What {} adds to the offsets is of that run and left out.", run));
   }
