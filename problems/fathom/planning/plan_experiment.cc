@@ -106,7 +106,7 @@ bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPla
     if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
     if (plan->share_breaking <= kShareAllowed) {
       plan->sine = LargestOrdinarySine(request, plan->duration, stamps.during);
-      ForecastParameters(request, stamps.during, stamps.noise, plan);
+      ForecastParameters(request, others, stamps.during, stamps.noise, plan);
       ForecastSeparations(request, request.rivals, stamps.during, stamps.noise, plan);
       return true;
     }

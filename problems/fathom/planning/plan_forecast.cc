@@ -3,6 +3,8 @@
 
 #include "fathom/planning/plan_forecast.h"
 
+#include "fathom/base/median.h"
+#include "fathom/base/parallel_for.h"
 #include "fathom/base/quantile.h"
 #include "fathom/planning/flown_information.h"
 #include "fathom/planning/information.h"
@@ -16,18 +18,39 @@
 namespace fathom {
 namespace {
 
-// What is known by a run of the model.
-Eigen::MatrixXd InformationUnder(const PlanRequest& request,
-                                 const HeldCommand& command,
-                                 std::span<const double> stamps,
-                                 const StampNoise& noise) {
-  MotionDerivatives derivatives;
-  const auto motion =
-      MotionUnder(request.model.Extended(), request.model.dof, command, stamps, &derivatives);
-  if (!motion) {
-    return Eigen::MatrixXd::Zero(request.model.covariance.rows(), request.model.covariance.cols());
+// What is known by a run of each model that the log allows; nothing by one that diverges.
+std::vector<Eigen::MatrixXd> InformationUnder(const PlanRequest& request,
+                                              std::span<const ExtendedModel> models,
+                                              const HeldCommand& command,
+                                              std::span<const double> stamps,
+                                              const StampNoise& noise) {
+  const auto num_parameters = request.model.covariance.rows();
+  std::vector<Eigen::MatrixXd> of_models(models.size(),
+                                         Eigen::MatrixXd::Zero(num_parameters, num_parameters));
+  ParallelFor(static_cast<int>(models.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    MotionDerivatives derivatives;
+    if (!MotionUnder(models[k], request.model.dof, command, stamps, &derivatives)) return;
+    of_models[k] = InformationOf(derivatives, noise);
+  });
+  return of_models;
+}
+
+// The standard deviations with `known` beside a run: medians over what the run may tell.
+Eigen::VectorXd MedianStds(const Eigen::MatrixXd& known,
+                           const std::vector<Eigen::MatrixXd>& of_run) {
+  std::vector<std::vector<double>> stds(static_cast<std::size_t>(known.rows()));
+  for (const Eigen::MatrixXd& information : of_run) {
+    const Eigen::VectorXd variances = InverseOf(known + information).diagonal();
+    for (Eigen::Index p = 0; p < known.rows(); ++p) {
+      stds[static_cast<std::size_t>(p)].push_back(std::sqrt(variances[p]));
+    }
   }
-  return InformationOf(derivatives, noise);
+  Eigen::VectorXd medians(known.rows());
+  for (Eigen::Index p = 0; p < known.rows(); ++p) {
+    medians[p] = Median(std::move(stds[static_cast<std::size_t>(p)]));
+  }
+  return medians;
 }
 
 // Between the quantiles of 2.5 and 97.5 % at each stamp.
@@ -56,26 +79,28 @@ ValueRange RangeOf(const std::vector<std::vector<double>>& runs) {
 }  // namespace
 
 void ForecastParameters(const PlanRequest& request,
+                        std::span<const ExtendedModel> models,
                         std::span<const double> stamps,
                         const StampNoise& noise,
                         ExperimentPlan* plan) {
-  const Eigen::MatrixXd information = InformationUnder(request, plan->command, stamps, noise);
   const Eigen::MatrixXd flown = FlownInformation(request);
   const Eigen::MatrixXd of_model = InverseOf(request.model.covariance);
   // Without logs, the model's own to the bit.
   const Eigen::MatrixXd before =
       request.flown.empty() ? request.model.covariance : InverseOf(of_model + flown);
-  const Eigen::MatrixXd after = InverseOf(flown + information);
-  const Eigen::MatrixXd both = InverseOf(of_model + flown + information);
-  const Eigen::MatrixXd by_sine =
-      InverseOf(flown + InformationUnder(request, plan->sine.command, stamps, noise));
+  const std::vector<Eigen::MatrixXd> planned =
+      InformationUnder(request, models, plan->command, stamps, noise);
+  const Eigen::VectorXd after = MedianStds(flown, planned);
+  const Eigen::VectorXd both = MedianStds(of_model + flown, planned);
+  const Eigen::VectorXd by_sine =
+      MedianStds(flown, InformationUnder(request, models, plan->sine.command, stamps, noise));
   plan->parameters = NamedParameters(request.model);
   Eigen::Index i = 0;
   for (PlannedParameter& parameter : plan->parameters) {
     parameter.before = std::sqrt(before(i, i));
-    parameter.after = std::sqrt(after(i, i));
-    parameter.with_log_so_far = std::sqrt(both(i, i));
-    parameter.sine = std::sqrt(by_sine(i, i));
+    parameter.after = after[i];
+    parameter.with_log_so_far = both[i];
+    parameter.sine = by_sine[i];
     ++i;
   }
 }

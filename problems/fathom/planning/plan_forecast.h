@@ -14,8 +14,9 @@ namespace fathom {
 
 // What is to come of plan->command, each into the plan. `noise`: at the stamps.
 
-// The intervals of the parameters.
+// The intervals of the parameters: medians over `models`, which the log so far allows.
 void ForecastParameters(const PlanRequest& request,
+                        std::span<const ExtendedModel> models,
                         std::span<const double> stamps,
                         const StampNoise& noise,
                         ExperimentPlan* plan);

@@ -4,6 +4,7 @@
 #include "fathom/planning/plan_request.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/planning/stamp_noise.h"
 #include "fathom/planning/thruster_reach.h"
 
 #include <algorithm>
@@ -73,7 +74,8 @@ VelocityMeasurement MeasurementOf(const PlanRequest& request) {
 
 std::vector<double> ColourOf(const PlanRequest& request) {
   if (!std::isnan(request.limits.velocity.noise) || !request.rivals.empty()) return {};
-  return request.model.residual_autoregression.value_or(std::vector<double>());
+  if (!request.model.residual_autoregression) return {};
+  return PlainestColour(*request.model.residual_autoregression, request.model.train.num_samples);
 }
 
 }  // namespace fathom

@@ -50,6 +50,23 @@ std::vector<double> CorrelationsOf(std::span<const double> coefficients, int cou
   return correlations;
 }
 
+std::vector<double> PlainestColour(std::span<const double> coefficients, int num_samples) {
+  const int order = static_cast<int>(coefficients.size());
+  const std::vector<double> correlations = CorrelationsOf(coefficients, order + 1);
+  std::vector<double> plainest;
+  double least = 0.0;  // of white noise
+  for (int k = 1; k <= order; ++k) {
+    const Autoregression shorter =
+        AutoregressionOf(std::span(correlations).first(static_cast<std::size_t>(k) + 1));
+    const double bic =
+        num_samples * std::log(shorter.innovation_variance) + k * std::log(num_samples);
+    if (bic >= least) continue;
+    least = bic;
+    plainest = shorter.coefficients;
+  }
+  return plainest;
+}
+
 StampNoise MeansOf(double velocity, std::span<const double> coefficients, int num_samples) {
   const std::size_t order = std::min(kHighestOrder, coefficients.size());
   const auto r = static_cast<std::size_t>(num_samples);

@@ -29,6 +29,12 @@ struct StampNoise {
 // what they say of one sample has not died away after 100000.
 std::vector<double> CorrelationsOf(std::span<const double> coefficients, int count);
 
+// The autoregression of lowest order that says as much of noise fitted over `num_samples`: the one
+// with the least BIC among those with its first covariances, docs/plan.md (8). AIC, by which fits
+// choose their order, takes too high a one in a third of all fits, and what the terms too many say
+// of slow noise is chance.
+std::vector<double> PlainestColour(std::span<const double> coefficients, int num_samples);
+
 // Noise of standard deviation `velocity` and the colour `coefficients` over samples, as the mean of
 // each `num_samples` neighbours has it: a stamp stands for them. docs/plan.md (8). The colour of
 // means is an autoregression of the order that the samples' has, 20 at most, with their first

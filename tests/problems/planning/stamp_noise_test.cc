@@ -28,6 +28,38 @@ TEST(StampNoise, RefusesNoiseThatDoesNotDieAway) {
   EXPECT_THROW(CorrelationsOf(std::vector<double>{1.0}, 2), InputError);
 }
 
+// The colour that AIC found once in white noise, in a fit of 1201 samples: its slow noise is a
+// third less than white noise has.
+TEST(StampNoise, IsWhiteWhereItsColourMayBeChance) {
+  const std::vector<double> chance = {
+      0.013, -0.012, -0.037, -0.013, 0.008, -0.058, 0.031, -0.088, -0.045, 0.040, -0.049};
+  EXPECT_TRUE(PlainestColour(chance, 1201).empty());
+  // A hundred times the data and the same colour: no chance.
+  EXPECT_EQ(PlainestColour(chance, 120100).size(), chance.size());
+}
+
+// Of an AR(1) over 1000 samples AIC takes more terms in a third of all draws.
+TEST(StampNoise, KeepsTheOrderOfADrawnRecursion) {
+  const int num_samples = 1000;
+  const double rho = 0.8;
+  RandomStream random(5, "stamp.noise.order");
+  int with_one = 0, with_one_by_aic = 0;
+  for (int run = 0; run < 200; ++run) {
+    std::vector<double> noise(num_samples);
+    double error = random.Normal();
+    for (double& value : noise) {
+      value = error;
+      error = rho * error + std::sqrt(1.0 - rho * rho) * random.Normal();
+    }
+    const Autoregression by_aic = FitAutoregression({noise}, 20);
+    with_one_by_aic += by_aic.order() == 1;
+    with_one += PlainestColour(by_aic.coefficients, num_samples).size() == 1;
+  }
+  // BIC of this size asks for ln 1000 = 2.63^2: one more term in 1 % of draws.
+  EXPECT_GE(with_one, 194);
+  EXPECT_LT(with_one_by_aic, 160);
+}
+
 TEST(StampNoise, OfWhiteSamplesIsWhiteAndSmallerByTheRoot) {
   const StampNoise noise = MeansOf(0.03, {}, 9);
   EXPECT_EQ(noise.colour.order(), 0);
