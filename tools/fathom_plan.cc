@@ -23,7 +23,6 @@
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
 #include "fathom/signal/signals.h"
-#include "fathom/simulate/model_for_log.h"
 #include "fathom/tool/coupled_plan_run.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
@@ -120,9 +119,7 @@ const ToolInfo kInfo = {
         "--log names logs of the vehicle, with velocities, that the model was not fitted to: what "
         "they "
         "tell counts as flown already. "
-        "A model or a verdict of several DOFs gives a wrench on several axes at once; --log is of "
-        "one "
-        "DOF. "
+        "A model or a verdict of several DOFs gives a wrench on several axes at once. "
         "--ordinary plans nothing: it says which stretches of the logs, cut at 30 to 120 s, tell "
         "the parameters about as well as all of them, and what manoeuvre or recorded channel the "
         "weakest one lacks. docs/plan.md.",
@@ -183,12 +180,14 @@ PlanLimits LimitsFromFlag(const std::string& file, const FittedModel& model) {
       file));
 }
 
-void RequireFlagsOfLogs(const FittedModel& model) {
+void RequireDofOf(const FittedModel& model) {
   const std::optional<Dof> dof = DofFromFlag();
-  if (dof && *dof != model.dof) {
-    throw InputError(fmt::format(
-        "--dof: is {}, expected {} as in the model, or none.", Name(*dof), Name(model.dof)));
-  }
+  if (!dof || *dof == model.dof) return;
+  throw InputError(fmt::format(
+      "--dof: is {}, expected {} as in the model, or none.", Name(*dof), Name(model.dof)));
+}
+
+void RequireFlagsOfLogs() {
   for (const char* flag : {"held_out", "velocity", "correct"}) {
     const std::string value = gflags::GetCommandLineFlagInfoOrDie(flag).current_value;
     if (value.empty()) continue;
@@ -201,18 +200,13 @@ void RequireFlagsOfLogs(const FittedModel& model) {
   }
 }
 
-// The logs of --log, each of which must be one that the model was not fitted to.
 void AddFlownLogs(const std::string& file, PlanRequest* request) {
-  RequireFlagsOfLogs(request->model);
+  RequireDofOf(request->model);
+  RequireFlagsOfLogs();
   if (FLAGS_log.empty()) return;
-  for (const Log& log : ReadLogsFromFlags(request->model.dof)) {
-    if (RestrictToLog(request->model, log, true).is_trained_on_it) {
-      throw InputError(
-          fmt::format("--log: {} is a log that {} was fitted to, and counts by the model's "
-                      "covariance, expected others.",
-                      log.path.string(),
-                      file));
-    }
+  const std::vector<Log> logs = ReadLogsFromFlags(request->model.dof);
+  RequireOtherLogs(logs, request->model.log_fingerprints, file);
+  for (const Log& log : logs) {
     const Signals signals = SignalsOf(log, request->model.dof, {.split_held_out = false});
     if (signals.force_unit != request->model.force_unit) {
       throw InputError(fmt::format("--log: commands of {} are in {}, expected {} as in {}.",
@@ -223,11 +217,6 @@ void AddFlownLogs(const std::string& file, PlanRequest* request) {
     }
     request->flown.insert(request->flown.end(), signals.train.begin(), signals.train.end());
   }
-  if (!request->model.log_fingerprints.empty()) return;
-  PrintText(stderr,
-            fmt::format("fathom_plan: {} does not say which logs it was fitted to. If --log names "
-                        "one of them, it counts twice.\n",
-                        file));
 }
 
 PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicle>& vehicle) {
@@ -295,19 +284,14 @@ int RunOrdinary() {
   return RunOrdinaryPlan({FLAGS_model, FLAGS_json, FLAGS_report});
 }
 
-// Of several DOFs a wrench is planned, from the model or the verdict alone.
+// Of several DOFs a wrench is planned.
 int RunCoupled(const std::string& file) {
-  if (!FLAGS_log.empty()) {
-    throw InputError(fmt::format(
-        "--log: goes with a model of one DOF, expected none: {} is of several DOFs. What was flown "
-        "counts by its fit: give fathom_identify --dofs these logs too.",
-        file));
-  }
-  for (const char* flag : {"dof", "held_out", "velocity", "correct"}) {
+  for (const char* flag : {"dof", "velocity"}) {
     if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value.empty()) continue;
     throw InputError(fmt::format(
         "--{}: goes with a model of one DOF, expected none: {} is of several DOFs.", flag, file));
   }
+  RequireFlagsOfLogs();
   RequireVehicleForVoltage();
   return RunCoupledPlan({file,
                          FLAGS_limits,
@@ -317,7 +301,8 @@ int RunCoupled(const std::string& file) {
                          FLAGS_vehicle,
                          FLAGS_voltage,
                          FLAGS_out,
-                         FLAGS_report});
+                         FLAGS_report,
+                         FLAGS_log.empty() ? std::vector<Log>() : ReadCoupledLogsFromFlags()});
 }
 
 int Run() {

@@ -97,6 +97,30 @@ TEST(PlanTool, PlansAWrenchForACoupledModel) {
   EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.25);
 }
 
+// Of another dive of the same boat. `std_before` is what is known before the plan.
+TEST(PlanTool, CountsAnotherDiveOfACoupledModel) {
+  const CoupledInputFiles inputs;
+  RunsWell("fathom_synthesize",
+           {inputs.vehicle,
+            "--experiment=" + inputs.At("first.yaml"),
+            "--seed=2",
+            "--out=" + inputs.At("second")});
+  RunsWell(inputs.Plan({"--duration=10", "--out=" + inputs.At("alone")}));
+  const ToolRun run = RunsWell(
+      inputs.Plan({"--duration=10", "--log=" + inputs.At("second"), "--out=" + inputs.At("plan")}));
+  EXPECT_THAT(run.out, HasSubstr("note: What the logs of --log tell counts before, after, "));
+  const auto alone = JsonOf(inputs.At("alone/plan.json")).at("parameters");
+  const auto with_log = JsonOf(inputs.At("plan/plan.json")).at("parameters");
+  // As much again as the log that the model was fitted to.
+  std::vector<double> ratios;
+  for (const auto& [name, entry] : with_log.items()) {
+    ratios.push_back(entry.at("std_before").get<double>() /
+                     alone.at(name).at("std_before").get<double>());
+  }
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_NEAR(ratios[ratios.size() / 2], std::sqrt(0.5), 0.1);
+}
+
 // The boat with the thrusters of a BlueROV2: what they push by arithmetic of the test.
 TEST(PlanTool, WritesWhatTheThrustersDoUnderAWrench) {
   const CoupledInputFiles inputs;
@@ -175,7 +199,9 @@ TEST(PlanTool, RefusesWhatACoupledModelIsNotPlannedWith) {
   };
   refused({"--duration=30", inputs.vehicle}, "planar_rov.yaml: has no thrusters, expected some");
   refused({"--duration=30", "--voltage=16"}, "--voltage: goes with --vehicle");
-  refused({"--duration=30", "--log=" + inputs.At("first")}, "--log: goes with a model of one DOF");
+  refused({"--duration=30", "--log=" + inputs.At("first")}, " was fitted to, and counts by the ");
+  refused({"--duration=30", "--velocity=v.csv"}, "--velocity: goes with a model of one DOF");
+  refused({"--duration=30", "--correct=r:-1"}, "--correct: goes with --log");
   refused({"--duration=1"}, "--duration: is 1 s, expected 5 to 3600 s.");
   refused({}, "--duration: is missing, expected seconds, or `minutes` in ");
   refused({"--duration=30", "--dofs=surge,heave"}, "--dofs: names heave, which ");

@@ -30,7 +30,7 @@ Eigen::VectorXd StdsOf(const Eigen::MatrixXd& information) {
   return InverseOf(information).diagonal().cwiseSqrt();
 }
 
-// By a run alone.
+// Without the model's own log.
 Eigen::VectorXd StdsAlone(const Eigen::MatrixXd& information,
                           const Eigen::MatrixXd& so_far,
                           const Eigen::VectorXd& before) {
@@ -79,15 +79,21 @@ void ForecastEntries(std::span<const CoupledModel> models,
                      CoupledPlan* plan) {
   const Eigen::MatrixXd so_far = InverseOf(told.covariance);
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(so_far.rows(), so_far.cols());
-  const Eigen::VectorXd before = told.covariance.diagonal().cwiseSqrt();
+  // Without logs, the model's own to the bit.
+  const bool has_flown = told.flown.norm() > 0.0;
+  const Eigen::VectorXd before =
+      has_flown ? StdsOf(so_far + told.flown) : told.covariance.diagonal().cwiseSqrt().eval();
   std::vector<Eigen::VectorXd> after(models.size()), both(after), sine(after);
   ParallelFor(static_cast<int>(models.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     WrenchInformation information(models[at], told.entries, measurement);
-    const Eigen::MatrixXd of_plan = information.Of(plan->command, plan->duration).value_or(none);
+    const auto with_flown = [&](const CoupledCommand& command) -> Eigen::MatrixXd {
+      return told.flown + information.Of(command, plan->duration).value_or(none);
+    };
+    const Eigen::MatrixXd of_plan = with_flown(plan->command);
     after[at] = StdsAlone(of_plan, so_far, before);
     both[at] = StdsOf(of_plan + so_far);
-    sine[at] = StdsAlone(information.Of(plan->sine, plan->duration).value_or(none), so_far, before);
+    sine[at] = StdsAlone(with_flown(plan->sine), so_far, before);
   });
   for (std::size_t k = 0; k < told.entries.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);

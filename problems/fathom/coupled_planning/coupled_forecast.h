@@ -19,11 +19,13 @@ namespace fathom {
 struct ToldEntries {
   std::vector<FreeEntry> entries;
   Eigen::MatrixXd covariance;
+  Eigen::MatrixXd flown;  // FlownInformation() of them
 };
 
-// What will be known of the entries after the command of the plan, and after its sine. Infinite:
-// the run leaves the entry open. The middle of what `models` say, of which the first is the fit's:
-// one that runs straight ahead alone would make a yaw that nothing holds tell more than it does.
+// What will be known of the entries after the command of the plan, and after its sine, the flown
+// logs counted along. Infinite: these leave the entry open. The middle of what `models` say, of
+// which the first is the fit's: one that runs straight ahead alone would make a yaw that nothing
+// holds tell more than it does.
 void ForecastEntries(std::span<const CoupledModel> models,
                      const ToldEntries& told,
                      const WrenchMeasurement& measurement,

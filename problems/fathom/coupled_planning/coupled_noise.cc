@@ -83,12 +83,20 @@ WrenchMeasurement MeasurementFor(const CoupledPlanRequest& request, const Couple
     measurement.noise[at] = noise.velocity;
     measurement.colour[at] = std::move(noise.colour);
   }
-  const double horizon = request.model.horizon;
-  const double window = std::isfinite(horizon) && horizon > 0.0
-                            ? std::max(horizon, measurement.period)
-                            : kDefaultWindow;
+  const double window = std::max(WindowOf(request), measurement.period);
   measurement.window = plan.duration / std::max(1.0, std::round(plan.duration / window));
   return measurement;
+}
+
+Autoregression NoiseOfSample(const CoupledPlanRequest& request, const CoupledPlan& plan, Dof dof) {
+  StampNoise noise = NoiseAtStamps(request, plan, dof, 1);
+  noise.colour.innovation_variance *= noise.velocity * noise.velocity;
+  return noise.colour;
+}
+
+double WindowOf(const CoupledPlanRequest& request) {
+  const double horizon = request.model.horizon;
+  return std::isfinite(horizon) && horizon > 0.0 ? horizon : kDefaultWindow;
 }
 
 }  // namespace fathom

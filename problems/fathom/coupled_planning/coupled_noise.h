@@ -16,4 +16,10 @@ void SetMeasurement(const CoupledPlanRequest& request, CoupledPlan* plan);
 // a window of the fit holds one at least. Throws InputError for a colour that does not die away.
 WrenchMeasurement MeasurementFor(const CoupledPlanRequest& request, const CoupledPlan& plan);
 
+// The noise of one velocity of a DOF of the model, over samples. Throws as MeasurementFor() does.
+Autoregression NoiseOfSample(const CoupledPlanRequest& request, const CoupledPlan& plan, Dof dof);
+
+// How often a fit begins its simulation anew, as far as the model's file says [s].
+double WindowOf(const CoupledPlanRequest& request);
+
 }  // namespace fathom

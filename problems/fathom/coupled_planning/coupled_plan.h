@@ -8,6 +8,7 @@
 #include "fathom/coupled_planning/wrench_allocation.h"
 #include "fathom/coupled_planning/wrench_block.h"
 #include "fathom/planning/experiment_plan.h"
+#include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -33,6 +34,9 @@ struct CoupledPlanRequest {
   double effort = 1.0;  // share of the changes that are tried, above 0 to 1
 
   std::vector<EntryRival> rivals;  // to tell apart; none: the plan tells the entries
+
+  // Logs of the vehicle that the model was not fitted to: what they tell need not be flown again.
+  std::vector<CoupledData> flown;
 
   // Whose thrusters give the wrench; none: anything gives it. It must outlive the plan.
   const Vehicle* vehicle = nullptr;

@@ -174,6 +174,7 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
       fmt::format("The ordinary sines: {} at {:g} rad/s, as much as the limits leave.",
                   fmt::join(amplitudes, ", "),
                   kSineFrequency)};
+  if (!request.flown.empty()) comments.emplace_back(kFlownLogsCount);
   if (!held.empty()) {
     comments.push_back(fmt::format("Not commanded: {}.", fmt::join(held, ", ")));
   }

@@ -8,6 +8,7 @@
 #include "fathom/coupled_planning/coupled_forecast.h"
 #include "fathom/coupled_planning/coupled_noise.h"
 #include "fathom/coupled_planning/drawn_coupled_models.h"
+#include "fathom/coupled_planning/flown_entries.h"
 #include "fathom/coupled_planning/wrench_search.h"
 #include "fathom/coupled_planning/wrench_thrusters.h"
 #include "fathom/planning/information.h"
@@ -101,7 +102,7 @@ bool IsLeftOut(const FreeEntry& entry) {
          entry.kind == FreeEntry::Kind::kTimeOffset;
 }
 
-ToldEntries EntriesToTell(const CoupledPlanRequest& request) {
+ToldEntries EntriesToTell(const CoupledPlanRequest& request, const CoupledPlan& plan) {
   const FittedCoupledModel& fitted = request.model;
   ToldEntries told;
   std::vector<Eigen::Index> rows;
@@ -117,6 +118,7 @@ ToldEntries EntriesToTell(const CoupledPlanRequest& request) {
         request.name));
   }
   told.covariance = fitted.covariance(rows, rows);
+  told.flown = FlownInformation(request, plan, told.entries);
   return told;
 }
 
@@ -139,7 +141,7 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   task.duration = plan.duration;
   task.seed = request.seed;
   task.entries = told.entries;
-  task.so_far = kWeightSoFar * InverseOf(told.covariance);
+  task.so_far = kWeightSoFar * InverseOf(told.covariance) + told.flown;
   task.measurement = MeasurementFor(request, plan);
   AddRivals(request, plan, &task);
   const auto num_columns =
@@ -207,7 +209,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   const double hold = request.limits.shortest_hold;
   plan.duration = hold * std::max(1.0, std::round(request.duration / hold));
 
-  const ToldEntries told = EntriesToTell(request);
+  const ToldEntries told = EntriesToTell(request, plan);
   RandomStream random(request.seed, "planning.coupled_models");
   std::vector<CoupledModel> models =
       DrawCoupledModels(request.model, kNumCoupledInSearch, request.name, random);

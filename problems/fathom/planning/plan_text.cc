@@ -174,11 +174,7 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
         speed,
         VelocityUnit(dof)));
   }
-  if (!request.flown.empty()) {
-    comments.push_back(
-        "What the logs of --log tell counts before, after, and after a sine. The values so far are "
-        "still the model's: fit all logs together.");
-  }
+  if (!request.flown.empty()) comments.emplace_back(kFlownLogsCount);
   if (request.thrusters) {
     const ThrusterAllocation& allocation = *request.thrusters;
     const PlannedThrusts thrusts = ThrustsOf(plan.command, allocation);

@@ -12,6 +12,11 @@
 
 namespace fathom {
 
+// What flown logs, of one DOF or several, are counted for.
+inline constexpr const char* kFlownLogsCount =
+    "What the logs of --log tell counts before, after, and after a sine. The values so far are "
+    "still the model's: fit all logs together.";
+
 // What to do and what comes of it, in one sentence or two.
 std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan);
 

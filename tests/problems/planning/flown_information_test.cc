@@ -3,8 +3,11 @@
 
 #include "fathom/planning/flown_information.h"
 
+#include "fathom/base/input_error.h"
+#include "fathom/coupled_planning/flown_entries.h"
 #include "fathom/planning/information.h"
 #include "fathom/planning/plan_experiment.h"
+#include "fathom/vehicle/coupled/entry_name.h"
 
 #include <cmath>
 #include <vector>
@@ -121,6 +124,61 @@ TEST(FlownInformation, IsAddedToTheModelsOwn) {
     EXPECT_LT(parameter.with_log_so_far, parameter.before);
     EXPECT_LT(parameter.with_log_so_far, parameter.after);
   }
+}
+
+// The same log as a model of several DOFs takes it, held out: all of a log counts.
+CoupledPlanRequest LinearRequest() {
+  const Segment log = StepLog();
+  CoupledPlanRequest request;
+  request.name = "boat.json";
+  request.model.horizon = 20.0;
+  CoupledModel& model = request.model.model;
+  model.dofs = {Dof::kSurge};
+  model.inertia(0, 0) = kMass;
+  model.linear_damping(0, 0) = kDamping;
+  model.offset[0] = kOffset;
+  CoupledData& data = request.flown.emplace_back();
+  data.log = "step";
+  data.dofs = model.dofs;
+  data.has_velocity[0] = true;
+  data.inputs.command.time = {log.time.front()};
+  data.inputs.command.force = {Vector6::Unit(0) * kForce};
+  CoupledSegment& segment = data.segments.emplace_back();
+  segment.is_held_out = true;
+  segment.time = log.time;
+  for (const double velocity : log.velocity)
+    segment.velocity.push_back(Vector6::Unit(0) * velocity);
+  return request;
+}
+
+CoupledPlan OfNoise(double noise) {
+  CoupledPlan plan;
+  plan.noise[0] = noise;
+  return plan;
+}
+
+const std::vector<FreeEntry> kEntries = {InertiaEntry(Dof::kSurge, Dof::kSurge),
+                                         QuadraticDampingEntry(Dof::kSurge, Dof::kSurge),
+                                         LinearDampingEntry(Dof::kSurge, Dof::kSurge),
+                                         OffsetEntry(Dof::kSurge)};
+
+TEST(FlownInformation, OfACoupledModelIsTheClosedFormToo) {
+  const Eigen::MatrixXd flown = FlownInformation(LinearRequest(), OfNoise(kNoiseOfLog), kEntries);
+  const Eigen::Matrix4d expected = ClosedForm();
+  ASSERT_EQ(flown.rows(), 4);
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      // A fit adds a little to the start's squares, so that a start without a trace stays put.
+      EXPECT_NEAR(flown(i, k), expected(i, k), 2e-3 * std::sqrt(expected(i, i) * expected(k, k)))
+          << i << ", " << k;
+    }
+  }
+}
+
+TEST(FlownInformation, OfACoupledModelNeedsAVelocity) {
+  CoupledPlanRequest request = LinearRequest();
+  request.flown.front().has_velocity = {};
+  EXPECT_THROW(FlownInformation(request, OfNoise(kNoiseOfLog), kEntries), InputError);
 }
 
 }  // namespace

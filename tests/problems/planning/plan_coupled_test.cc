@@ -94,6 +94,34 @@ TEST(PlanCoupled, IntervalsUnderColouredNoiseAreThoseOfTheNextFits) {
 }
 
 // A file of before the colour was written down.
+// The model is not fitted to the first log played, so that it counts in full: a fit to it and the
+// planned one has the intervals that were predicted, and without it the plan alone tells less.
+TEST(PlanCoupled, CountsAFlownLogAsAFitToBothDoes) {
+  const DrawnBoat boat = DrawBoat(21);
+  CoupledPlanRequest request = BoatRequest(boat, 40.0, kQuick);
+  const CoupledPlan alone = PlanCoupledExperiment(request);
+  ASSERT_TRUE(alone.IsUsable()) << alone.message;
+  const CoupledData flown = PlayedLog(boat.truth, alone.command, alone.duration, kBoatNoise, 5);
+  request.flown = {flown};
+  const CoupledPlan plan = PlanCoupledExperiment(request);
+  ASSERT_TRUE(plan.IsUsable()) << plan.message;
+  const CoupledSummary fit = FitCoupled(
+      std::vector<CoupledData>{flown,
+                               PlayedLog(boat.truth, plan.command, plan.duration, kBoatNoise, 6)},
+      StructureOf(StandardStructure::kCoriolis, boat.truth.dofs));
+  ASSERT_TRUE(fit.IsUsable()) << fit.message;
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < fit.entries.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    const PlannedParameter& entry = plan.parameters[k];
+    ratios.push_back(std::sqrt(fit.covariance(at, at)) / entry.after);
+    EXPECT_LT(entry.before, alone.parameters[k].before) << entry.name;
+    EXPECT_LT(entry.after, alone.parameters[k].after) << entry.name;
+  }
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.15);
+}
+
 TEST(PlanCoupled, SaysThatItTakesNoiseAsWhiteWhoseColourIsNotKnown) {
   CoupledPlanRequest request = BoatRequest(DrawBoat(21, 0.8), 20.0, 0.1);
   request.model.residual_autoregression = {};

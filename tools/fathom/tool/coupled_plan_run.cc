@@ -13,23 +13,28 @@
 #include "fathom/coupled_planning/coupled_plan_text.h"
 #include "fathom/coupled_planning/plan_coupled.h"
 #include "fathom/coupled_planning/verdict_rivals.h"
+#include "fathom/log/log_fingerprint.h"
 #include "fathom/planning/thruster_files.h"
 #include "fathom/planning/thruster_reach.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
+#include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/plan_files.h"
 #include "fathom/tool/print_text.h"
 #include "fathom/vehicle/files/coupled_model_file.h"
+#include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -38,6 +43,25 @@ namespace {
 
 constexpr double kLongestDuration = 3600.0;  // [s]
 constexpr double kShortestDuration = 5.0;
+
+std::vector<CoupledData> FlownData(const std::vector<Log>& logs,
+                                   const FittedCoupledModel& fitted,
+                                   const std::string& file) {
+  RequireOtherLogs(logs, fitted.log_fingerprints, file);
+  std::vector<CoupledData> flown;
+  for (const Log& log : logs) {
+    const Vehicle vehicle = VehicleOf(log).value_or(Vehicle());
+    flown.push_back(
+        CoupledDataOf(log, fitted.model.dofs, vehicle.thrusters, vehicle.fins, vehicle.shafts));
+    if (flown.back().force_unit == fitted.force_unit) continue;
+    throw InputError(fmt::format("--log: commands of {} are in {}, expected {} as in {}.",
+                                 log.path.string(),
+                                 flown.back().force_unit,
+                                 fitted.force_unit,
+                                 file));
+  }
+  return flown;
+}
 
 CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags, const Vehicle* vehicle) {
   if (flags.limits.empty()) {
@@ -63,6 +87,7 @@ CoupledPlanRequest RequestOf(const CoupledPlanFlags& flags, const Vehicle* vehic
   VerdictRivals open = ReadVerdictRivals(flags.model, text, request.model);
   for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
   request.rivals = std::move(open.pairs);
+  request.flown = FlownData(flags.flown, request.model, flags.model);
   request.duration = flags.duration;
   if (!std::isnan(flags.duration)) {
     RequirePlannableDuration(flags.duration);
@@ -112,6 +137,24 @@ int RunCoupledPlan(const CoupledPlanFlags& flags) {
     WriteFile(flags.report, RenderPage(page));
   }
   return kExitUsable;
+}
+
+void RequireOtherLogs(const std::vector<Log>& logs,
+                      const std::vector<std::string>& log_fingerprints,
+                      const std::string& file) {
+  for (const Log& log : logs) {
+    if (std::ranges::count(log_fingerprints, FingerprintOf(log)) == 0) continue;
+    throw InputError(
+        fmt::format("--log: {} is a log that {} was fitted to, and counts by the model's "
+                    "covariance, expected others.",
+                    log.path.string(),
+                    file));
+  }
+  if (logs.empty() || !log_fingerprints.empty()) return;
+  PrintText(stderr,
+            fmt::format("fathom_plan: {} does not say which logs it was fitted to. If --log names "
+                        "one of them, it counts twice.\n",
+                        file));
 }
 
 void RequirePlannableDuration(double duration) {
