@@ -85,6 +85,10 @@ CoupledSummary FitUncoupled(const CoupledLogs& logs,
   summary.entries = part.entries;
   summary.num_iterations = fit.num_iterations;
   summary.cost = fit.final_cost;
+  if (one.output == FittedOutput::kVelocity) {
+    summary.colour_of_uncoupled[static_cast<std::size_t>(Index(part.dofs.front()))] =
+        fit.evidence.noise.coefficients;
+  }
   const auto size = static_cast<Eigen::Index>(part.entries.size());
   summary.covariance.resize(size, size);
   const ParameterVector values = ToVector(fit.model);
@@ -143,6 +147,11 @@ void AddBlock(const CoupledSummary& block, const MotionStructure& structure, Cou
       all->undetermined.end(), block.undetermined.begin(), block.undetermined.end());
   all->priors.insert(all->priors.end(), block.priors.begin(), block.priors.end());
   all->noise.insert(all->noise.end(), block.noise.begin(), block.noise.end());
+  for (std::size_t row = 0; row < all->colour_of_uncoupled.size(); ++row) {
+    if (block.colour_of_uncoupled[row]) {
+      all->colour_of_uncoupled[row] = block.colour_of_uncoupled[row];
+    }
+  }
   all->num_iterations += block.num_iterations;
   all->num_rows += block.num_rows;
   all->cost += block.cost;

@@ -219,6 +219,7 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   fitted.covariance = result.covariance;
   fitted.force_unit = unit_fin.value_or(identified.data.front().force_unit);
   fitted.horizon = fit.window;
+  fitted.residual_autoregression = result.colour_of_uncoupled;
   for (const ChannelNoise& noise : result.noise) {
     if (noise.channel.kind != FittedChannel::Kind::kVelocity) continue;
     const auto row = static_cast<std::size_t>(noise.channel.row);

@@ -10,7 +10,9 @@
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,11 @@ struct CoupledSummary {
 
   std::vector<CoupledState> starts;  // of the windows, in their order
   std::vector<ChannelNoise> noise;
+
+  // By Index(Dof), of what FitOutputError() fitted by itself, whose noise stands in no channel: the
+  // colour of its residual over samples, phi_1 ... of docs/output_error.md (5).
+  std::array<std::optional<std::vector<double>>, 6> colour_of_uncoupled;
+
   double cost = std::numeric_limits<double>::quiet_NaN();  // half the sum of weighed squares
   int num_rows = 0;
   int num_iterations = 0;

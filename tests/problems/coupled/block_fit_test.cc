@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/block_fit.h"
 
+#include "fathom/coupled/coupled_identification.h"
 #include "fathom/output_error/output_error.h"
 #include "fathom/signal/joined_signals.h"
 
@@ -60,6 +61,24 @@ TEST(FitBlocks, OfOneDofEachIsOutputErrorToTheBit) {
     EXPECT_EQ(blocks.model.offset[i], one.model.buoyancy);
     const auto inertia = kNumParameters * Index(dof);
     EXPECT_EQ(blocks.covariance(inertia, inertia), one.covariance(kInertia, kInertia));
+  }
+}
+
+// A plan takes it from the model's file.
+TEST(FitBlocks, OfOneDofEachKnowTheColourOfTheirNoise) {
+  std::mt19937 random(11);
+  const CoupledModel truth = DrawnDiagonalVehicle(&random);
+  DrawnLogOptions options;
+  options.colour = 0.8;
+  CoupledIdentificationOptions how;
+  how.dofs = truth.dofs;
+  how.structure = StandardStructure::kDiagonal;
+  const CoupledIdentification found =
+      IdentifyCoupled({LogFileOf(DrawnLog(truth, options, &random))}, how);
+  ASSERT_TRUE(found.is_usable) << found.message;
+  for (const auto& colour : found.fitted.residual_autoregression) {
+    ASSERT_TRUE(colour && !colour->empty());
+    EXPECT_NEAR(colour->front(), options.colour, 0.1);
   }
 }
 

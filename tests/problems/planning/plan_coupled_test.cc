@@ -93,7 +93,6 @@ TEST(PlanCoupled, IntervalsUnderColouredNoiseAreThoseOfTheNextFits) {
   EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.2);
 }
 
-// A file of before the colour was written down.
 // The model is not fitted to the first log played, so that it counts in full: a fit to it and the
 // planned one has the intervals that were predicted, and without it the plan alone tells less.
 TEST(PlanCoupled, CountsAFlownLogAsAFitToBothDoes) {
@@ -122,6 +121,7 @@ TEST(PlanCoupled, CountsAFlownLogAsAFitToBothDoes) {
   EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.15);
 }
 
+// A file of before the colour was written down.
 TEST(PlanCoupled, SaysThatItTakesNoiseAsWhiteWhoseColourIsNotKnown) {
   CoupledPlanRequest request = BoatRequest(DrawBoat(21, 0.8), 20.0, 0.1);
   request.model.residual_autoregression = {};
