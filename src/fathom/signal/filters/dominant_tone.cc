@@ -44,7 +44,9 @@ Bins BinsOf(const HeldCommand& command, double duration) {
 
 // The sum of exp(i phase k) over n terms from k = 0.
 std::complex<double> PhasorSum(double phase, double n) {
-  return std::polar(std::sin(0.5 * n * phase) / std::sin(0.5 * phase), 0.5 * (n - 1.0) * phase);
+  // Its length below 0 as well, which std::polar() does not take.
+  const double length = std::sin(0.5 * n * phase) / std::sin(0.5 * phase);
+  return length * std::polar(1.0, 0.5 * (n - 1.0) * phase);
 }
 
 // The sum of each bin's value times exp(i phase k).
