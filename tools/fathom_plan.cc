@@ -26,6 +26,7 @@
 #include "fathom/tool/coupled_plan_run.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/flown_logs.h"
 #include "fathom/tool/log_flags.h"
 #include "fathom/tool/ordinary_plan.h"
 #include "fathom/tool/origin_of_page.h"

@@ -13,13 +13,13 @@
 #include "fathom/coupled_planning/coupled_plan_text.h"
 #include "fathom/coupled_planning/plan_coupled.h"
 #include "fathom/coupled_planning/verdict_rivals.h"
-#include "fathom/log/log_fingerprint.h"
 #include "fathom/planning/thruster_files.h"
 #include "fathom/planning/thruster_reach.h"
 #include "fathom/report/page.h"
 #include "fathom/report/table.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/tool/flag_values.h"
+#include "fathom/tool/flown_logs.h"
 #include "fathom/tool/origin_of_page.h"
 #include "fathom/tool/plan_files.h"
 #include "fathom/tool/print_text.h"
@@ -27,7 +27,6 @@
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -137,24 +136,6 @@ int RunCoupledPlan(const CoupledPlanFlags& flags) {
     WriteFile(flags.report, RenderPage(page));
   }
   return kExitUsable;
-}
-
-void RequireOtherLogs(const std::vector<Log>& logs,
-                      const std::vector<std::string>& log_fingerprints,
-                      const std::string& file) {
-  for (const Log& log : logs) {
-    if (std::ranges::count(log_fingerprints, FingerprintOf(log)) == 0) continue;
-    throw InputError(
-        fmt::format("--log: {} is a log that {} was fitted to, and counts by the model's "
-                    "covariance, expected others.",
-                    log.path.string(),
-                    file));
-  }
-  if (logs.empty() || !log_fingerprints.empty()) return;
-  PrintText(stderr,
-            fmt::format("fathom_plan: {} does not say which logs it was fitted to. If --log names "
-                        "one of them, it counts twice.\n",
-                        file));
 }
 
 void RequirePlannableDuration(double duration) {

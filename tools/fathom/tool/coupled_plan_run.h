@@ -29,12 +29,6 @@ struct CoupledPlanFlags {
 // where no command keeps the limits. Throws InputError for flags and files that cannot be used.
 int RunCoupledPlan(const CoupledPlanFlags& flags);
 
-// Throws InputError if a model was fitted to one of these logs, which would count twice then. Says
-// on stderr where the model's file, `file`, does not tell what it was fitted to.
-void RequireOtherLogs(const std::vector<Log>& logs,
-                      const std::vector<std::string>& log_fingerprints,
-                      const std::string& file);
-
 // Throws InputError unless a duration is one that is planned [s]: 5 to 3600.
 void RequirePlannableDuration(double duration);
 
