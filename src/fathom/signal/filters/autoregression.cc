@@ -3,6 +3,8 @@
 
 #include "fathom/signal/filters/autoregression.h"
 
+#include "fathom/signal/filters/noise_echo.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,10 +18,10 @@ constexpr int kPatience = 10;
 
 constexpr Eigen::Index kBlock = 512;  // rows filtered at once: they fit into the fastest cache
 
-// The echo behind a piece is followed in blocks until one adds less than this share, or to a length
-// beyond any log.
+// The echo behind a piece is followed in blocks until one adds less than this share, or for so
+// many.
 constexpr Eigen::Index kEchoBlock = 64;
-constexpr int kMostEchoBlocks = 1 << 14;
+constexpr int kMostEchoBlocks = 16;
 constexpr double kSmallestEcho = 1e-15;
 
 // Forward and backward prediction errors of one piece, as Burg's recursion carries them. At
@@ -142,8 +144,7 @@ Eigen::MatrixXd ColouredGram::EndPiece() {
   return gram;
 }
 
-// Row by row: powers of the recursion's matrix, which would sum this up faster, lose it to rounding
-// where the noise is very smooth.
+// Most echoes are over after some rows. What is left of a long one is summed up in closed form.
 void ColouredGram::FollowEcho() {
   if (noise_.order() == 0) return;
   const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(kEchoBlock, gram_.cols());
@@ -153,6 +154,9 @@ void ColouredGram::FollowEcho() {
     const Eigen::VectorXd added = gram_.diagonal() - before;
     if ((added.array() <= kSmallestEcho * before.array()).all()) return;
   }
+  if (echo_.size() == 0) echo_ = EchoOf(noise_);
+  const auto last = filtered_.topRows(noise_.order());
+  gram_.noalias() += last.transpose() * echo_ * last;
 }
 
 // e = H w with H the recursion's impulse responses and w white, so J' Gamma J = s^2 (H'J)'(H'J).

@@ -95,6 +95,18 @@ TEST(ColouredGram, HoldsForAPieceShorterThanTheMemoryOfTheNoise) {
   ExpectClose(coloured.EndPiece(), DenseGram(0.999, 0.0, 0.5, J));
 }
 
+// Noise that rings for a hundred thousand samples: its echo is not followed to its end.
+TEST(ColouredGram, HoldsForNoiseThatRingsOnFarBeyondThePiece) {
+  const Eigen::MatrixXd J = TwoColumns(40);
+  const double radius = 1.0 - 1e-5;
+  const double phi1 = 2.0 * radius * std::cos(0.3), phi2 = -radius * radius;
+  ColouredGram coloured({{phi1, phi2}, 0.5}, 2);
+  coloured.Add(J);
+  ExpectClose(coloured.EndPiece(), DenseGram(phi1, phi2, 0.5, J));
+  coloured.Add(J.topRows(1));
+  ExpectClose(coloured.EndPiece(), DenseGram(phi1, phi2, 0.5, J.topRows(1)));
+}
+
 TEST(ColouredGram, TakesRowsInAnyPortionsAndOnePieceAfterTheOther) {
   const Eigen::MatrixXd J = TwoColumns(1300);
   ColouredGram coloured({{1.2, -0.5}, 0.3}, 2);
