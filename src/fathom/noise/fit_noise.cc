@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -139,6 +140,27 @@ class Fitting {
   NoiseSearch search_;
 };
 
+// Whether a design hardly matters to what the noise consists of.
+bool ArePlenty(std::span<const NoiseSample> samples,
+               const Eigen::Ref<const RowMajorMatrix>& design) {
+  constexpr Eigen::Index kSamplesPerColumn = 40;
+  return std::ssize(samples) >= kSamplesPerColumn * design.cols();
+}
+
+// The components are chosen with the residual alone, and fitted with the design: its columns are
+// what takes the time, and choosing takes many looks.
+NoiseFit FitBegunAlone(std::span<const NoiseSample> samples,
+                       std::span<const double> residual,
+                       const Eigen::Ref<const RowMajorMatrix>& design,
+                       FitNoiseOptions options) {
+  const NoiseFit alone = FitNoise(samples, residual, RowMajorMatrix(design.rows(), 0), options);
+  if (!std::isfinite(alone.log_likelihood)) return alone;
+  options.start = alone.model;
+  NoiseFit fit = FitNoise(samples, residual, design, options);
+  fit.num_evaluations += alone.num_evaluations;
+  return fit;
+}
+
 }  // namespace
 
 std::vector<std::string> FitNoiseOptions::Problems() const {
@@ -156,6 +178,9 @@ NoiseFit FitNoise(std::span<const NoiseSample> samples,
                   std::span<const double> residual,
                   const Eigen::Ref<const RowMajorMatrix>& design,
                   const FitNoiseOptions& options) {
+  if (!options.start && design.cols() > 0 && ArePlenty(samples, design)) {
+    return FitBegunAlone(samples, residual, design, options);
+  }
   NoiseFit fit;
   const std::vector<std::string> problems = options.Problems();
   if (!problems.empty()) {

@@ -4,6 +4,7 @@
 #include "fathom/noise/whitener.h"
 
 #include "fathom/base/flattened.h"
+#include "fathom/base/tiny_as_zero.h"
 #include "fathom/noise/filter_states.h"
 #include "fathom/noise/whitening_gains.h"
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 
 #include <glog/logging.h>
@@ -27,12 +29,12 @@ bool Has(std::span<const NoiseSample> samples, NoiseChannel channel) {
 // W times kWidth columns that stand side by side; strides from one sample to the next. Flattened:
 // the compiler would call some of Eigen's one-line functions, at a tenth of a whole diagnosis.
 template <typename States, int kWidth>
-FATHOM_FLATTENED void ApplySteps(const std::vector<int>& step_of,
-                                 const std::vector<WhiteningStep>& steps,
-                                 const double* in,
-                                 std::ptrdiff_t in_stride,
-                                 double* out,
-                                 std::ptrdiff_t out_stride) {
+FATHOM_FLATTENED void ApplyColumns(std::span<const int> step_of,
+                                   const std::vector<WhiteningStep>& steps,
+                                   const double* in,
+                                   std::ptrdiff_t in_stride,
+                                   double* out,
+                                   std::ptrdiff_t out_stride) {
   using Row = Eigen::Array<double, kWidth, 1>;
   using S = States;
   std::array<Row, S::kNumStates> x;
@@ -89,6 +91,12 @@ Whitener::Whitener(const NoiseModel& model, std::span<const NoiseSample> samples
   if (model.disturbance.IsPresent()) num_disturbance_states_ = has_displacement ? 3 : 2;
   has_velocity_c_ = has_velocity && model.velocity.coloured.IsPresent();
   has_displacement_c_ = has_displacement && model.displacement.coloured.IsPresent();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i == 0 || samples[i].segment != samples[i - 1].segment) {
+      first_rows_.push_back(static_cast<int>(i));
+    }
+  }
+  first_rows_.push_back(num_samples());
   // Under stamps that jitter every sample has a step of its own: growing would copy them again and
   // again. What is not used is never touched.
   steps_.reserve(samples.size());
@@ -102,31 +110,45 @@ void Whitener::Apply(std::span<const double> in, std::span<double> out) const {
   CHECK_EQ(in.size(), step_of_.size());
   CHECK_EQ(out.size(), step_of_.size());
   WithStates([&](auto states) {
-    ApplySteps<decltype(states), 1>(step_of_, steps_, in.data(), 1, out.data(), 1);
+    ApplyColumns<decltype(states), 1>(step_of_, steps_, in.data(), 1, out.data(), 1);
   });
 }
 
-void Whitener::Apply(const Eigen::Ref<const RowMajorMatrix>& in,
-                     Eigen::Ref<RowMajorMatrix> out) const {
-  CHECK_EQ(in.rows(), num_samples());
-  CHECK_EQ(out.rows(), num_samples());
+void Whitener::ApplySteps(std::span<const int> step_of,
+                          const Eigen::Ref<const RowMajorMatrix>& in,
+                          Eigen::Ref<RowMajorMatrix> out) const {
+  const TinyAsZero tiny_as_zero;
+  CHECK_EQ(in.rows(), std::ssize(step_of));
+  CHECK_EQ(out.rows(), in.rows());
   CHECK_EQ(in.cols(), out.cols());
   WithStates([&](auto states) {
     Eigen::Index column = 0;
     const auto apply = [&]<int kWidth>() {
       for (; column + kWidth <= in.cols(); column += kWidth) {
-        ApplySteps<decltype(states), kWidth>(step_of_,
-                                             steps_,
-                                             in.data() + column,
-                                             in.outerStride(),
-                                             out.data() + column,
-                                             out.outerStride());
+        ApplyColumns<decltype(states), kWidth>(step_of,
+                                               steps_,
+                                               in.data() + column,
+                                               in.outerStride(),
+                                               out.data() + column,
+                                               out.outerStride());
       }
     };
     apply.template operator()<8>();
     apply.template operator()<4>();
     apply.template operator()<1>();
   });
+}
+
+void Whitener::Apply(const Eigen::Ref<const RowMajorMatrix>& in,
+                     Eigen::Ref<RowMajorMatrix> out) const {
+  ApplySteps(step_of_, in, out);
+}
+
+void Whitener::ApplyToSegment(std::size_t index,
+                              const Eigen::Ref<const RowMajorMatrix>& in,
+                              Eigen::Ref<RowMajorMatrix> out) const {
+  const int begin = first_rows_[index], end = first_rows_[index + 1];
+  ApplySteps(std::span(step_of_).subspan(begin, end - begin), in, out);
 }
 
 std::vector<double> Whitener::LogVariances() const {

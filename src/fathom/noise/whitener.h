@@ -6,6 +6,7 @@
 #include "fathom/noise/noise_model.h"
 #include "fathom/noise/whitening_step.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,14 @@ class Whitener {
   // out = W in for all columns of a block of num_samples() rows; they may be the same.
   void Apply(const Eigen::Ref<const RowMajorMatrix>& in, Eigen::Ref<RowMajorMatrix> out) const;
 
+  // The first sample of each segment, and num_samples(). W has no entries between segments.
+  const std::vector<int>& first_rows() const { return first_rows_; }
+
+  // The same for the rows of segment `index` alone.
+  void ApplyToSegment(std::size_t index,
+                      const Eigen::Ref<const RowMajorMatrix>& in,
+                      Eigen::Ref<RowMajorMatrix> out) const;
+
   // log det S.
   double log_determinant() const { return log_determinant_; }
 
@@ -49,12 +58,18 @@ class Whitener {
   std::vector<double> LogVariances() const;
 
  private:
+  // To the rows whose steps these are.
+  void ApplySteps(std::span<const int> step_of,
+                  const Eigen::Ref<const RowMajorMatrix>& in,
+                  Eigen::Ref<RowMajorMatrix> out) const;
+
   template <typename Function>
   void WithStates(const Function& function) const;
 
   // How many of (w, v', x') are in the state (0, 2 or 3), and which coloured noises.
   int num_disturbance_states_ = 0;
   bool has_velocity_c_ = false, has_displacement_c_ = false;
+  std::vector<int> first_rows_;
   std::vector<int> step_of_;          // of each sample, into:
   std::vector<WhiteningStep> steps_;  // the different ones; a stationary filter has few
   double log_determinant_ = 0.0;

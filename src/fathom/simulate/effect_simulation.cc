@@ -3,6 +3,7 @@
 
 #include "fathom/simulate/effect_simulation.h"
 
+#include "fathom/base/tiny_as_zero.h"
 #include "fathom/simulate/integration/integrate_with_effects.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -145,6 +146,7 @@ bool EffectSimulation::Run(const ExtendedModel& model,
 bool EffectSimulation::RunWithSensitivities(const ExtendedModel& model,
                                             const InitialState& initial,
                                             EffectOutputs* outputs) const {
+  const TinyAsZero tiny_as_zero;
   const int num_columns = NumColumns(model);
   CHECK_LE(num_columns, kFirstEffectColumn + kMostEffectParameters);
   return num_columns <= 8 ? RunIn<SmallJet>(*inputs_, stamps_, model, initial, outputs)

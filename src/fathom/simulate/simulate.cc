@@ -3,6 +3,7 @@
 
 #include "fathom/simulate/simulate.h"
 
+#include "fathom/base/tiny_as_zero.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -225,6 +226,7 @@ bool Simulation::RunWithSensitivities(const UncoupledModel<double>& model,
                                       std::span<double> position,
                                       std::span<double> velocity_sensitivity,
                                       std::span<double> position_sensitivity) const {
+  const TinyAsZero tiny_as_zero;
   const ModelPerInertia per_inertia(model);
   State start = {initial.velocity, initial.position};
   start.of_velocity[kNumParameters] = 1.0;

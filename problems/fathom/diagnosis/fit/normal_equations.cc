@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -40,15 +42,35 @@ Inverse InverseOf(const Normal& normal, const std::vector<int>& some) {
 
 }  // namespace
 
+// Segment by segment: most columns are free states, each of which has rows in one alone.
 Normal NormalOf(const Whitener& whitener,
                 const RowMajorMatrix& jacobian,
                 const Eigen::VectorXd& residual) {
-  RowMajorMatrix whitened(jacobian.rows(), jacobian.cols() + 1);
-  whitened.leftCols(jacobian.cols()) = jacobian;
-  whitened.rightCols(1) = residual;
-  whitener.Apply(whitened, whitened);
-  const auto J = whitened.leftCols(jacobian.cols());
-  return {J.transpose() * J, J.transpose() * whitened.rightCols(1)};
+  Normal normal = {Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols()),
+                   Eigen::VectorXd::Zero(jacobian.cols())};
+  const std::vector<int>& first_rows = whitener.first_rows();
+  for (std::size_t segment = 0; segment + 1 < first_rows.size(); ++segment) {
+    const int begin = first_rows[segment], count = first_rows[segment + 1] - begin;
+    const auto rows = jacobian.middleRows(begin, count);
+    std::vector<Eigen::Index> columns;
+    const Eigen::RowVectorXd largest = rows.cwiseAbs().colwise().maxCoeff();
+    for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+      if (largest[k] > 0.0) columns.push_back(k);
+    }
+    const Eigen::Index n = std::ssize(columns);
+    RowMajorMatrix whitened(count, n + 1);
+    whitened.leftCols(n) = rows(Eigen::all, columns);
+    whitened.col(n) = residual.segment(begin, count);
+    whitener.ApplyToSegment(segment, whitened, whitened);
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(n + 1, n + 1);
+    product.selfadjointView<Eigen::Lower>().rankUpdate(whitened.transpose());
+    for (Eigen::Index j = 0; j < n; ++j) {
+      for (Eigen::Index i = j; i < n; ++i) normal.A(columns[i], columns[j]) += product(i, j);
+      normal.g[columns[j]] += product(n, j);
+    }
+  }
+  normal.A.triangularView<Eigen::StrictlyUpper>() = normal.A.transpose();
+  return normal;
 }
 
 Eigen::VectorXd StepOf(const Normal& normal, const std::vector<int>& free, double damping) {

@@ -3,6 +3,7 @@
 
 #include "fathom/simulate/coupled/coupled_simulation.h"
 
+#include "fathom/base/tiny_as_zero.h"
 #include "fathom/simulate/coupled/coupled_drive.h"
 #include "fathom/simulate/coupled/coupled_rate.h"
 #include "fathom/simulate/coupled/water_frame.h"
@@ -387,6 +388,7 @@ bool RunCoupledWithSensitivities(const CoupledModel& model,
                                  const CoupledState& start,
                                  const CoupledStamps& stamps,
                                  CoupledOutputs* outputs) {
+  const TinyAsZero tiny_as_zero;
   return CoupledRun(model, entries, inputs, true).Over(start, stamps, outputs);
 }
 
