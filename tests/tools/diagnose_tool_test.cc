@@ -205,11 +205,12 @@ TEST(DiagnoseTool, NamesTheLogThatACauseBelongsTo) {
   const Path verdict = folder / "verdict.json";
   const ToolRun run = RunsWell(Diagnosed(clean, {Flag("log", jumped), Flag("verdict", verdict)}));
   EXPECT_THAT(run.out, StartsWith("surge: explained\n"));
-  EXPECT_THAT(run.out, HasSubstr("(buoyancy_step(jumped)), jump 6"));
+  EXPECT_THAT(run.out, HasSubstr("(buoyancy_step(jumped)), jump "));
   EXPECT_THAT(run.out, HasSubstr("buoyancy_step(jumped) holds for jumped only"));
   const auto json = JsonOf(verdict);
   ASSERT_EQ(json["causes"].size(), 1u);
   EXPECT_EQ(json["causes"][0]["effect"], "buoyancy_step");
+  EXPECT_NEAR(json["causes"][0]["parameters"]["jump"]["value"].get<double>(), 6.0, 0.05);
   EXPECT_EQ(json["causes"][0]["log"], "jumped");
   EXPECT_EQ(json["logs"], nlohmann::json({"clean", "jumped"}));
 

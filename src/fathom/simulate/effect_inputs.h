@@ -16,13 +16,20 @@
 
 namespace fathom {
 
+// How finely a run is integrated.
+struct StepRules {
+  double longest = 0.2;   // [s]; what changes within a step is averaged
+  double midpoint = 0.0;  // rate of the motion times step, below which the midpoint rule will do
+};
+
 // What a run with effects takes from a log, at the streams' own stamps.
 struct EffectInputs {
   Dof dof = Dof::kSurge;                  // the one that is modelled
   HeldCommand command;                    // of it
   std::array<SampledSignal, 6> velocity;  // measured, by Index(Dof); empty where not
   std::array<HeldCommand, 6> force;       // commanded, by Index(Dof); empty where not
-  std::string log = {};                   // as EffectSetting::log names it, where there are several
+  StepRules steps = {};
+  std::string log = {};  // as EffectSetting::log names it, where there are several
 };
 
 // A measured velocity as effects read it from a partner: smoothed by local polynomials over the

@@ -46,8 +46,10 @@ double LostTo(double width, std::span<const Segment> segments) {
   return all > 0.0 ? lost / all : 1.0;
 }
 
-// The longest bins [s] that lose little more than the shortest and leave many.
-double WidthFor(std::span<const MeasuredSegment> segments) {
+}  // namespace
+
+// The longest that lose little more than the shortest and leave many.
+double BinWidthFor(std::span<const MeasuredSegment> segments) {
   std::vector<Segment> plain;
   double duration = 0.0;
   for (const MeasuredSegment& segment : segments) {
@@ -61,10 +63,8 @@ double WidthFor(std::span<const MeasuredSegment> segments) {
   return std::max(width, kShortest);
 }
 
-}  // namespace
-
 Bins::Bins(std::span<const MeasuredSegment> segments) {
-  const double width_of_motion = WidthFor(segments);
+  const double width_of_motion = BinWidthFor(segments);
   for (size_t index = 0; index < segments.size(); ++index) {
     const MeasuredSegment& segment = segments[index];
     first_rows_.push_back(size());

@@ -15,11 +15,14 @@
 
 namespace fathom {
 
+// How long bins may be [s]: 0.2; up to 0.5 on long segments, and where that loses less than a
+// hundredth more of the motion's variance and leaves 750.
+double BinWidthFor(std::span<const MeasuredSegment> segments);
+
 // Samples averaged over short bins, so that what follows costs little: a row for each bin.
 class Bins {
  public:
-  // Bins of 0.2 s; up to 0.5 s on long segments, and where that loses less than a hundredth more of
-  // the motion's variance and leaves 750. Never across a gap.
+  // Never across a gap.
   explicit Bins(std::span<const MeasuredSegment> segments);
 
   int size() const { return static_cast<int>(samples_.size()); }

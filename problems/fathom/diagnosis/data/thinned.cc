@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/data/thinned.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
@@ -15,27 +16,27 @@
 namespace fathom {
 namespace {
 
-constexpr double kWidth = 0.1;    // [s]
-constexpr double kJump = 0.1;     // of the RMS command
-constexpr double kSlack = 1e-6;   // [s], of stamps
-constexpr double kWorthIt = 1.5;  // so many to one, at least
+constexpr double kJump = 0.1;      // of the RMS command
+constexpr double kSlack = 1e-6;    // [s], of stamps
+constexpr double kSlow = 0.1;      // rate times step: a second-order step errs by less than 1e-3
+constexpr double kWorthIt = 1.25;  // so many to one, at least
 
-// True if `time` has so many stamps that averaging is worth it.
-bool IsFast(const std::vector<double>& time) {
+// True if `time` has so many stamps that averaging over a `width` [s] is worth it.
+bool IsFast(const std::vector<double>& time, double width) {
   if (time.size() < 2) return false;
   const double usual = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  return usual * kWorthIt < kWidth;
+  return usual * kWorthIt < width;
 }
 
 // Each value weighs by how long it was held. No mean is taken over a jump: the vehicle's speed
 // bends just there.
-HeldCommand Averaged(const HeldCommand& command) {
+HeldCommand Averaged(const HeldCommand& command, double width) {
   HeldCommand averaged;
   const size_t n = command.time.size();
   const Eigen::Map<const Eigen::ArrayXd> values(command.value.data(), std::ssize(command.value));
   const double jump = kJump * std::sqrt(values.square().mean());
   const auto joins = [&](size_t begin, size_t i) {
-    return command.time[i] - command.time[begin] < kWidth - kSlack &&
+    return command.time[i] - command.time[begin] < width - kSlack &&
            std::abs(command.value[i] - command.value[i - 1]) <= jump;
   };
   for (size_t begin = 0; begin < n;) {
@@ -46,7 +47,7 @@ HeldCommand Averaged(const HeldCommand& command) {
     }
     // The last value of the group is held until the next group begins; that of the run for ever.
     averaged.time.push_back(command.time[begin]);
-    if (end < n && command.time[end] - command.time[begin] < 2.0 * kWidth) {
+    if (end < n && command.time[end] - command.time[begin] < 2.0 * width) {
       impulse += command.value[end - 1] * (command.time[end] - command.time[end - 1]);
       averaged.value.push_back(impulse / (command.time[end] - command.time[begin]));
     } else if (end - begin == 1) {
@@ -63,11 +64,13 @@ HeldCommand Averaged(const HeldCommand& command) {
 }
 
 // All that belongs to the stamps, the stamps among it; what is empty stays so.
-void Average(std::vector<double>* time, std::initializer_list<std::vector<double>*> values) {
-  if (!IsFast(*time)) return;
+void Average(double width,
+             std::vector<double>* time,
+             std::initializer_list<std::vector<double>*> values) {
+  if (!IsFast(*time, width)) return;
   std::vector<size_t> begins;
   for (size_t i = 0; i < time->size(); ++i) {
-    const bool joins = !begins.empty() && (*time)[i] - (*time)[begins.back()] < kWidth - kSlack;
+    const bool joins = !begins.empty() && (*time)[i] - (*time)[begins.back()] < width - kSlack;
     if (!joins) begins.push_back(i);
   }
   begins.push_back(time->size());
@@ -87,7 +90,7 @@ void Average(std::vector<double>* time, std::initializer_list<std::vector<double
 
 }  // namespace
 
-std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segments) {
+std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segments, double width) {
   struct ThinnedInputs {
     std::shared_ptr<const EffectInputs> inputs;
     Tone command_tone;
@@ -95,19 +98,22 @@ std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segment
   std::map<const EffectInputs*, ThinnedInputs> thinned_inputs;
   std::vector<MeasuredSegment> thinned = segments;
   for (MeasuredSegment& segment : thinned) {
-    if (IsFast(segment.inputs->command.time)) {
+    if (IsFast(segment.inputs->command.time, width)) {
       auto& [inputs, command_tone] = thinned_inputs[segment.inputs.get()];
       if (!inputs) {
         EffectInputs copy = *segment.inputs;
-        copy.command = Averaged(copy.command);
+        copy.command = Averaged(copy.command, width);
+        if (width > kFineWidth) copy.steps = {std::max(copy.steps.longest, 2.0 * width), kSlow};
         command_tone = DominantTone(copy.command);
         inputs = std::make_shared<const EffectInputs>(std::move(copy));
       }
       segment.inputs = inputs;
       segment.command_tone = command_tone;
     }
-    Average(&segment.stamps.velocity, {&segment.velocity});
-    Average(&segment.stamps.displacement, {&segment.displacement, &segment.displacement_variance});
+    Average(width, &segment.stamps.velocity, {&segment.velocity});
+    Average(width,
+            &segment.stamps.displacement,
+            {&segment.displacement, &segment.displacement_variance});
   }
   return thinned;
 }

@@ -9,9 +9,11 @@
 
 namespace fathom {
 
-// The segments at about 10 Hz: commands and samples that come faster are averaged over a tenth of a
-// second, so that a search among many models costs what it must. A vehicle answers the mean of a
-// command over so short a time as it answers the command; docs/diagnosis.md (2).
-std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segments);
+// A vehicle answers the mean of a command over so short a time as it answers the command [s].
+inline constexpr double kFineWidth = 0.1;
+
+// The segments with commands and samples that come faster averaged over `width` [s], so that a
+// search among many models costs what it must. Beyond kFineWidth runs are integrated as coarsely.
+std::vector<MeasuredSegment> Thinned(const std::vector<MeasuredSegment>& segments, double width);
 
 }  // namespace fathom

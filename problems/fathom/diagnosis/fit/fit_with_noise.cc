@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -47,24 +48,26 @@ NoiseModel LearnNoise(const TrainingData& data,
   return noise;
 }
 
-// The likeliest of a noise that was learned with another model and of ones of the same kind that
-// are smaller: a better model leaves less to the disturbance and to slow sensor errors.
+// The likeliest of noises that were learned with other models and of ones of the same kind that are
+// smaller: a better model leaves less to the disturbance and to slow sensor errors.
 NoiseModel LikeliestSize(const TrainingData& data,
                          const StructureFit& fit,
-                         const NoiseModel& known) {
+                         std::initializer_list<NoiseModel> known) {
   const std::span<const double> residual(fit.residual.data(), fit.residual.size());
-  NoiseModel best = known;
+  NoiseModel best;
   double most = -std::numeric_limits<double>::infinity();
-  for (const double of_disturbance : {1.0, 0.3, 0.1, 0.03}) {
-    for (const double of_coloured : {1.0, 0.3, 0.1}) {
-      NoiseModel noise = known;
-      noise.disturbance.std *= of_disturbance;
-      noise.velocity.coloured.std *= of_coloured;
-      noise.displacement.coloured.std *= of_coloured;
-      const double log_likelihood = Whitener(noise, data.samples()).LogLikelihood(residual);
-      if (!(log_likelihood > most)) continue;
-      most = log_likelihood;
-      best = noise;
+  for (const NoiseModel& size : known) {
+    for (const double of_disturbance : {1.0, 0.3, 0.1, 0.03}) {
+      for (const double of_coloured : {1.0, 0.3, 0.1}) {
+        NoiseModel noise = size;
+        noise.disturbance.std *= of_disturbance;
+        noise.velocity.coloured.std *= of_coloured;
+        noise.displacement.coloured.std *= of_coloured;
+        const double log_likelihood = Whitener(noise, data.samples()).LogLikelihood(residual);
+        if (!(log_likelihood > most)) continue;
+        most = log_likelihood;
+        best = noise;
+      }
     }
   }
   return best;
@@ -95,7 +98,7 @@ StructureFit LearnOn(const TrainingData& data,
     noise = LearnNoise(data, fit, is_unreached ? none : fit.jacobian, noise);
     fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()), precision);
   }
-  const bool ended_badly = IsUnreached(fit) && likeliest.IsSimulated();
+  const bool ended_badly = (IsUnreached(fit) || !fit.converged) && likeliest.IsSimulated();
   return ended_badly && likeliest.log_likelihood > fit.log_likelihood ? likeliest : fit;
 }
 
@@ -121,7 +124,7 @@ StructureFit FitFreeRun(const TrainingData& data, StructureFit fit, FitPrecision
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const StructureFit& start,
-                   const NoiseModel& known,
+                   std::initializer_list<NoiseModel> known,
                    const FitPrecision& precision) {
   if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start, precision);
   const NoiseModel noise =

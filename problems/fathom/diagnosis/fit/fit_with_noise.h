@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/fit/structure_fit.h"
 
+#include <initializer_list>
 #include <span>
 
 namespace fathom {
@@ -14,11 +15,11 @@ namespace fathom {
 inline constexpr double kRoughShareOfFreeRun = 1e-3;
 
 // FitStructure() on from a fit whose residual and Jacobian are those of its model, its noise
-// learned in turns with it.
+// learned in turns with it, from the likeliest of those known of other models, one at least.
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const StructureFit& start,
-                   const NoiseModel& known,
+                   std::initializer_list<NoiseModel> known,
                    const FitPrecision& precision = {});
 
 // The same from a model that was not run yet.

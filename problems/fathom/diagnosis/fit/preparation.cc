@@ -9,6 +9,7 @@
 #include "fathom/diagnosis/fit/momentum_balance.h"
 #include "fathom/diagnosis/fit/outliers.h"
 #include "fathom/diagnosis/fit/residual_noise.h"
+#include "fathom/diagnosis/fit/search_data.h"
 #include "fathom/diagnosis/fit/started_model.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -101,19 +102,19 @@ Preparation Prepare(const MeasuredSegments& segments,
     preparation.num_outliers =
         RemoveOutliers(by_output_error->model, by_output_error->initial, &train);
   }
-  std::vector<MeasuredSegment> thinned = Thinned(train);
-  if (NumSamples(thinned) < kLeastSamples) {
+  const std::size_t num_samples = NumSamples(Thinned(train, kFineWidth));
+  if (num_samples < kLeastSamples) {
     preparation.message = fmt::format(
         "the training data have {} samples (at 10 Hz at most), expected at least {}: with fewer, "
         "structure cannot be separated from noise.",
-        NumSamples(thinned),
+        num_samples,
         kLeastSamples);
     return preparation;
   }
   const UncoupledModel<double>& about =
       (by_output_error ? by_output_error : by_momentum)->model.baseline;
   Prepared prepared = {TrainingData(std::move(train), about, kLeastInertiaIfOpen * about.inertia),
-                       std::move(thinned),
+                       {},
                        Part(segments.all, true),
                        {},
                        {}};
@@ -142,6 +143,7 @@ Preparation Prepare(const MeasuredSegments& segments,
     prepared.users = StartedFrom(*unfitted);
     prepared.baseline = *std::move(unfitted);
   }
+  prepared.thinned = SearchDataOf(data, prepared.baseline);
   preparation.prepared = std::move(prepared);
   return preparation;
 }

@@ -20,7 +20,7 @@ inline constexpr double kLeastInertiaIfOpen = 0.01;
 // Segments of which a diagnosis can be made.
 struct Prepared {
   TrainingData data;
-  std::vector<MeasuredSegment> thinned;  // Thinned() of the same, for a search
+  std::vector<MeasuredSegment> thinned;  // SearchDataOf() the same
   std::vector<MeasuredSegment> held_out;
 
   StructureFit baseline;  // FitBaseline(): what causes are weighed against

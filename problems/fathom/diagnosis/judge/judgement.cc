@@ -39,9 +39,8 @@ bool Remains(const Prepared& prepared,
 }
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
-// `logs`: several that hold nothing out, each left out in turn.
 Choice BestConfirmed(const Prepared& prepared,
-                     const std::optional<LeftOutParts>& logs,
+                     const LeftOutParts& parts,
                      const WeighedSearch& search,
                      const VerdictRules& rules) {
   const TrainingData& data = prepared.data;
@@ -55,8 +54,8 @@ Choice BestConfirmed(const Prepared& prepared,
   }
   choice = LeaveOutWhatLoses(data, prepared.held_out, search, rules, std::move(choice));
   if (prepared.held_out.empty()) {
-    if (!logs || choice.chosen == 0) return choice;
-    return LeaveOutTheUnconfirmed(data, *logs, search, rules, std::move(choice));
+    if (parts.how != LeavingOut::kLogs || choice.chosen == 0) return choice;
+    return LeaveOutTheUnconfirmed(data, parts, search, rules, std::move(choice));
   }
   if (!Remains(prepared, RemainingOf(prepared, choice), gain_of(choice), rules)) return choice;
   // The causes may stand in for what nothing explains; unseen data tell.
@@ -145,23 +144,40 @@ DiagnosisOptions AtFirst(DiagnosisOptions options) {
   return options;
 }
 
-// Of one search by likelihood.
+// Whether unseen data speak against a hypothesis of a search by likelihood for certain.
+bool IsRefuted(const Prepared& prepared,
+               const LeftOutParts& parts,
+               const std::vector<Suspect>& suspects,
+               const Hypothesis& hypothesis,
+               const VerdictRules& rules) {
+  if (HowToLeaveOut(prepared.data, hypothesis.fit.model) != parts.how) return false;
+  const Scored unseen = UnseenRuns(prepared, parts, hypothesis.fit, Criterion::kLearnedNoise);
+  const auto loss = RefutingGain(unseen, ActOnPosesAlone(hypothesis.suspects, suspects), rules);
+  return loss && loss->high < 0.0;
+}
+
+// Of one search by likelihood. What is refuted is not built upon. `parts`: what is left out in turn
+// where no cause belongs to a log alone.
 Judgement JudgedOnce(const Prepared& prepared,
+                     const std::shared_ptr<const LeftOutParts>& parts,
                      const std::vector<Suspect>& suspects,
                      const Evidence& evidence,
                      const DiagnosisOptions& options) {
-  WeighedSearch search = SearchByLikelihood(prepared, suspects, options);
-  std::optional<LeftOutParts> logs;
-  if (HowToLeaveOut(prepared.data, {}) == LeavingOut::kLogs) {
-    logs = LeaveOut(prepared, LeavingOut::kLogs);
-  }
-  Choice choice = BestConfirmed(prepared, logs, search, options.rules);
+  const auto ends = [&](const HypothesisBook& book, int size) {
+    const Hypothesis& best = book[book.best()];
+    return std::ssize(best.suspects) == size &&
+           IsRefuted(prepared, *parts, suspects, best, options.rules);
+  };
+  WeighedSearch search = SearchByLikelihood(prepared, suspects, options, ends);
+  Choice choice = BestConfirmed(prepared, *parts, search, options.rules);
   const std::vector<int>& causes = search.found.book[choice.chosen].suspects;
   const LeavingOut how = HowToLeaveOut(prepared.data, choice.fit().model);
-  const auto parts = std::make_shared<const LeftOutParts>(
-      logs && how == LeavingOut::kLogs ? *std::move(logs) : LeaveOut(prepared, how));
   FreeRunComparison runs = CompareWithUsers(
-      prepared, parts, choice.fit(), search.criterion, ActOnPosesAlone(causes, search.suspects));
+      prepared,
+      how == parts->how ? parts : std::make_shared<const LeftOutParts>(LeaveOut(prepared, how)),
+      choice.fit(),
+      search.criterion,
+      ActOnPosesAlone(causes, search.suspects));
   if (causes.empty()) runs = OfUsersAlone(std::move(runs));
   return Concluded(
       prepared, std::move(search), std::move(choice), std::move(runs), evidence, options);
@@ -170,13 +186,14 @@ Judgement JudgedOnce(const Prepared& prepared,
 // A search that was ended has its whole work where what it found leaves nothing but noise: only
 // there can more of it change what is said.
 Judgement JudgedByLikelihood(const Prepared& prepared,
+                             const std::shared_ptr<const LeftOutParts>& parts,
                              const std::vector<Suspect>& suspects,
                              const Evidence& evidence,
                              const DiagnosisOptions& options) {
-  Judgement at_first = JudgedOnce(prepared, suspects, evidence, AtFirst(options));
+  Judgement at_first = JudgedOnce(prepared, parts, suspects, evidence, AtFirst(options));
   const bool is_open = at_first.verdict == Verdict::kUnexplained && !at_first.is_only_cut;
   if (is_open || !at_first.search.found.is_cut) return at_first;
-  return JudgedOnce(prepared, suspects, evidence, options);
+  return JudgedOnce(prepared, parts, suspects, evidence, options);
 }
 
 // True if the free run of what is named leaves more than the sensors' scatter: something may be
@@ -219,45 +236,32 @@ bool IsNamed(const Prepared& prepared,
          IsLikely(prepared, rung.choice.fit());
 }
 
-// What is left out in turn under free runs: that of the search by likelihood, where it did alike.
-std::shared_ptr<const LeftOutParts> PartsOfFreeRuns(const Prepared& prepared,
-                                                    const std::optional<Judgement>& by_likelihood) {
-  const LeavingOut how = HowToLeaveOut(prepared.data, {});
-  if (by_likelihood && by_likelihood->runs.parts && by_likelihood->runs.parts->how == how) {
-    return by_likelihood->runs.parts;
-  }
-  return std::make_shared<const LeftOutParts>(LeaveOut(prepared, how));
-}
-
 }  // namespace
 
 Judgement Judge(const Prepared& prepared,
                 const std::vector<Suspect>& suspects,
                 const Evidence& evidence,
                 const DiagnosisOptions& options) {
+  const auto parts =
+      std::make_shared<const LeftOutParts>(LeaveOut(prepared, HowToLeaveOut(prepared.data, {})));
   std::optional<Judgement> by_likelihood;
   if (prepared.has_baseline) {
-    by_likelihood = JudgedByLikelihood(prepared, suspects, evidence, options);
+    by_likelihood = JudgedByLikelihood(prepared, parts, suspects, evidence, options);
     if (by_likelihood->choice.chosen != 0 ||
         LeavesNothing(prepared.data, by_likelihood->choice.fit()) ||
         !LeavesMoreThanScatter(prepared, *by_likelihood, options.rules)) {
       return *std::move(by_likelihood);
     }
   }
-  const auto parts = PartsOfFreeRuns(prepared, by_likelihood);
-  DiagnosisOptions wanted = by_likelihood ? AtFirst(options) : options;
+  const DiagnosisOptions wanted = by_likelihood ? AtFirst(options) : options;
   const auto climbed = [&](const WeighedSearch& search) {
     return ClimbByFreeRuns(prepared, search, parts, wanted.most_causes, options.rules);
   };
-  if (by_likelihood) {
-    // Beside what likelihood says, several are looked for only where one alone predicts better.
-    wanted.most_causes = 1;
-    if (climbed(SearchByFreeRuns(prepared, suspects, wanted)).choice.chosen == 0) {
-      return *std::move(by_likelihood);
-    }
-    wanted.most_causes = options.most_causes;
-  }
-  WeighedSearch search = SearchByFreeRuns(prepared, suspects, wanted);
+  // Beside what likelihood says, several are looked for only where one alone predicts better.
+  const auto ends = [&](const WeighedSearch& search, int size) {
+    return by_likelihood && size == 1 && climbed(search).choice.chosen == 0;
+  };
+  WeighedSearch search = SearchByFreeRuns(prepared, suspects, wanted, ends);
   Rung rung = climbed(search);
   if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung, options.rules)) {
     return *std::move(by_likelihood);

@@ -22,6 +22,14 @@ FitFigures TrainFigures(const TrainingData& data,
 
 }  // namespace
 
+Scored UnseenRuns(const Prepared& prepared,
+                  const LeftOutParts& parts,
+                  const StructureFit& fit,
+                  Criterion criterion) {
+  return prepared.held_out.empty() ? Score(parts, fit, criterion)
+                                   : Score(prepared.held_out, prepared.users.model, fit.model);
+}
+
 FreeRunComparison CompareWithUsers(const Prepared& prepared,
                                    std::shared_ptr<const LeftOutParts> parts,
                                    const StructureFit& fit,
@@ -29,8 +37,7 @@ FreeRunComparison CompareWithUsers(const Prepared& prepared,
                                    bool acts_on_poses_alone) {
   const StartedModel& users = prepared.users;
   FreeRunComparison runs;
-  runs.unseen = prepared.held_out.empty() ? Score(*parts, fit, criterion)
-                                          : Score(prepared.held_out, users.model, fit.model);
+  runs.unseen = UnseenRuns(prepared, *parts, fit, criterion);
   runs.train_before = TrainFigures(prepared.data, users.model, users.initial);
   runs.train_after = TrainFigures(prepared.data, fit.model, fit.initial);
   runs.gain = GainOf(runs.unseen, acts_on_poses_alone);

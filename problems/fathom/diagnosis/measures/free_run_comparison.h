@@ -21,6 +21,12 @@ struct FreeRunComparison {
   std::shared_ptr<const LeftOutParts> parts = nullptr;
 };
 
+// The runs over what no fit has seen, of the user's model and of a fit's: held out, or `parts`.
+Scored UnseenRuns(const Prepared& prepared,
+                  const LeftOutParts& parts,
+                  const StructureFit& fit,
+                  Criterion criterion);
+
 // `fit`: of all training data, by `criterion`. `parts`: where nothing is held out.
 FreeRunComparison CompareWithUsers(const Prepared& prepared,
                                    std::shared_ptr<const LeftOutParts> parts,

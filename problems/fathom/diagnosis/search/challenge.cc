@@ -36,8 +36,8 @@ HypothesisBook WithoutOne(const SearchTask& task,
                    task.options.rough);
   if (!rough.IsSimulated()) return book;
   constexpr double kWhateverItGains = -std::numeric_limits<double>::infinity();
-  Hypothesis without =
-      BegunFrom(task, book.baseline(), Others(hypothesis, cause), rough, kWhateverItGains);
+  Hypothesis without = BegunFrom(
+      task, book.baseline(), hypothesis, Others(hypothesis, cause), rough, kWhateverItGains);
   return WithSettled(task, {std::move(without)}, kWhateverItGains, std::move(book));
 }
 

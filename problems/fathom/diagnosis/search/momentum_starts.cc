@@ -98,7 +98,8 @@ HypothesisBook WithSinglesByMomentum(const SearchTask& task, HypothesisBook book
     if (!in_pieces.IsSimulated()) return;
     const StructureFit rough = RoughFit(task.data, in_pieces.model, task.options.rough);
     if (!rough.IsSimulated()) return;
-    found[i] = BegunFrom(task, book.baseline(), {starts[i].suspect}, rough, most_gain);
+    found[i] =
+        BegunFrom(task, book.baseline(), book.baseline(), {starts[i].suspect}, rough, most_gain);
   });
   for (const MomentumStart& start : starts) book.AddAttempt({start.suspect});
   return WithSettled(task, std::move(found), most_gain, std::move(book));

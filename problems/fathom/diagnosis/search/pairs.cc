@@ -82,7 +82,8 @@ int BestSingle(const HypothesisBook& book) {
 HypothesisBook WithPairs(const SearchTask& task,
                          const std::shared_ptr<const FitAndTrials>& baseline,
                          HypothesisBook book) {
-  const NoiseModel noise = book[BestSingle(book)].fit.noise;
+  const int single = BestSingle(book);
+  const NoiseModel noise = book[single].fit.noise;
   const Screens screens = ScreensAbout(task, baseline, noise, Sharpness::kWithSensor);
   if (!screens.own) return book;
   std::vector<Pair> pairs = RankedPairs(task, screens);
@@ -106,7 +107,7 @@ HypothesisBook WithPairs(const SearchTask& task,
                                             screens.own->whitener(),
                                             task.options.rough);
     if (!rough.IsSimulated()) return;
-    found[i] = BegunFrom(task, book.baseline(), {pair.a, pair.b}, rough, most_gain);
+    found[i] = BegunFrom(task, book.baseline(), book[single], {pair.a, pair.b}, rough, most_gain);
   });
   return WithSettled(task, std::move(found), most_gain, std::move(book));
 }

@@ -20,8 +20,10 @@ int NumParameters(const Hypothesis& hypothesis) {
   return static_cast<int>(hypothesis.fit.covariance.rows());
 }
 
-bool MeansSomething(const SearchTask& task, const StructureFit& fit) {
+bool MeansSomething(const SearchTask& task, const Hypothesis& baseline, const StructureFit& fit) {
   if (!fit.IsUsable() || fit.is_on_bound[kInertia]) return false;
+  const double inertia_before = baseline.fit.model.baseline.inertia;
+  if (fit.model.baseline.inertia > task.options.most_inertia * inertia_before) return false;
   const double std = std::sqrt(fit.covariance(kInertia, kInertia));
   if (!(std < task.options.open_inertia * fit.model.baseline.inertia)) return false;
   const auto& effects = fit.model.effects;
@@ -126,13 +128,26 @@ Hypothesis Settled(const SearchTask& task,
   return Weighed(task, baseline, std::move(begun));
 }
 
+// The greatest gain of what stands without one of some suspects.
+double GainWithoutOne(const HypothesisBook& book, const std::vector<int>& suspects) {
+  double most = 0.0;
+  for (const int suspect : suspects) {
+    std::vector<int> others = suspects;
+    std::erase(others, suspect);
+    const int index = book.IndexOf(others);
+    if (index >= 0) most = std::max(most, book[index].gain);
+  }
+  return most;
+}
+
 // Whether a hypothesis may lead, so that it is settled.
 bool Contends(const SearchTask& task,
-              const Hypothesis& baseline,
+              const HypothesisBook& book,
               const Hypothesis& begun,
               double most_gain) {
-  const double gain = 2.0 * (begun.fit.log_likelihood - baseline.fit.log_likelihood);
-  return task.options.criterion == Criterion::kLearnedNoise && gain > task.options.worth_refining &&
+  const double gain = 2.0 * (begun.fit.log_likelihood - book.baseline().fit.log_likelihood);
+  return task.options.criterion == Criterion::kLearnedNoise &&
+         gain > GainWithoutOne(book, begun.suspects) + task.options.worth_refining &&
          gain > task.options.contends * most_gain;
 }
 
@@ -140,6 +155,7 @@ bool Contends(const SearchTask& task,
 
 Hypothesis BegunFrom(const SearchTask& task,
                      const Hypothesis& baseline,
+                     const Hypothesis& base,
                      std::vector<int> suspects,
                      const StructureFit& rough,
                      double most_gain) {
@@ -147,7 +163,8 @@ Hypothesis BegunFrom(const SearchTask& task,
   hypothesis.suspects = std::move(suspects);
   const Criterion criterion = task.options.criterion;
   const FitPrecision precision = PrecisionFor(task, baseline, most_gain);
-  hypothesis.fit = FitBy(criterion, task.data, rough, baseline.fit.noise, precision);
+  hypothesis.fit =
+      FitBy(criterion, task.data, rough, {baseline.fit.noise, base.fit.noise}, precision);
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;
@@ -164,14 +181,15 @@ HypothesisBook WithSettled(const SearchTask& task,
                            double most_gain,
                            HypothesisBook book) {
   for (const Hypothesis& hypothesis : begun) {
-    if (MeansSomething(task, hypothesis.fit)) most_gain = std::max(most_gain, hypothesis.gain);
+    if (MeansSomething(task, book.baseline(), hypothesis.fit))
+      most_gain = std::max(most_gain, hypothesis.gain);
   }
   ParallelFor(static_cast<int>(begun.size()), [&](int i) {
-    if (!Contends(task, book.baseline(), begun[i], most_gain)) return;
+    if (!Contends(task, book, begun[i], most_gain)) return;
     begun[i] = Settled(task, book.baseline(), std::move(begun[i]), most_gain);
   });
   for (Hypothesis& hypothesis : begun) {
-    if (MeansSomething(task, hypothesis.fit)) book.Add(std::move(hypothesis));
+    if (MeansSomething(task, book.baseline(), hypothesis.fit)) book.Add(std::move(hypothesis));
   }
   return book;
 }
@@ -219,7 +237,7 @@ std::vector<Hypothesis> HypothesesWith(const SearchTask& task,
   if (known >= 0 && !ShowsElsewhere(task, *screens.own, base, suspect, book[known])) return {};
   std::vector<Hypothesis> hypotheses;
   const auto add = [&](const StructureFit& rough) {
-    hypotheses.push_back(BegunFrom(task, book.baseline(), suspects, rough, most.gain));
+    hypotheses.push_back(BegunFrom(task, book.baseline(), base, suspects, rough, most.gain));
   };
   const auto own = RoughFit(task, *screens.own, base, suspect);
   if (own) add(*own);
@@ -253,7 +271,7 @@ HypothesisBook Refined(const SearchTask& task,
     for (std::size_t i = 0; i < group.size(); ++i) {
       book.AddAttempt(With(base.suspects, group[i]));
       for (Hypothesis& hypothesis : found[i]) {
-        if (MeansSomething(task, hypothesis.fit)) {
+        if (MeansSomething(task, book.baseline(), hypothesis.fit)) {
           most.gain = std::max(most.gain, hypothesis.gain);
           most.gain_of_size = std::max(most.gain_of_size, hypothesis.gain);
           most.kept = std::max(most.kept, (hypothesis.gain - base.gain) / screens.scores[group[i]]);

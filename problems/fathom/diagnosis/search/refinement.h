@@ -11,17 +11,20 @@
 namespace fathom {
 
 // The hypothesis of these suspects, from a rough fit of them: its noise is learned along, from the
-// baseline's. One that gains less under its first noise than its share of `most_gain`,
-// SearchOptions::hope, is left at that. WithSettled() judges whether the model means something.
+// baseline's or that of `base`, a hypothesis near it. One that gains less under its first noise
+// than its share of `most_gain`, SearchOptions::hope, is left at that. WithSettled() judges whether
+// the model means something.
 Hypothesis BegunFrom(const SearchTask& task,
                      const Hypothesis& baseline,
+                     const Hypothesis& base,
                      std::vector<int> suspects,
                      const StructureFit& rough,
                      double most_gain);
 
 // The book with those of BegunFrom() whose model means something: one that can be simulated, does
-// not leave the inertia open, and has no tone where the command has its own. Those that may lead,
-// by SearchOptions::contends of the greatest gain among them and `most_gain`, have their noise
+// not leave the inertia open or far beyond the baseline's, and has no tone where the command has
+// its own. Those that may lead, by SearchOptions::contends of the greatest gain among them and
+// `most_gain`, and gain something over what stands without one of their suspects, have their noise
 // learned from nothing first.
 HypothesisBook WithSettled(const SearchTask& task,
                            std::vector<Hypothesis> begun,

@@ -115,7 +115,8 @@ SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& wanted,
-                          const SearchOptions& options) {
+                          const SearchOptions& options,
+                          const EndsSearch& ends) {
   SearchTask task = {data, suspects, wanted, options};
   const auto about_baseline = WithTrials(task, baseline);
   const Screens screens =
@@ -142,6 +143,7 @@ SearchResult SearchCauses(const TrainingData& data,
     }
     is_cut = is_cut || task.IsSpent();
     if (!is_better && size >= 2) break;
+    if (size < wanted.most_causes && ends(book, size)) break;
     beam = CarriedOn(task, book, size);
   }
   return {std::move(book), is_cut, std::move(scores)};

@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/search/challenge.h"
 
+#include <functional>
 #include <vector>
 
 namespace fathom {
@@ -16,13 +17,18 @@ struct SearchResult {
   std::vector<double> scores;      // by suspect: the best one on the baseline's own screen
 };
 
+// Whether a search ends with what it found among hypotheses of up to `size` causes.
+using EndsSearch = std::function<bool(const HypothesisBook& book, int size)>;
+
 // Searches the sets of up to wanted.most_causes suspects for the one that the data call for: they
 // are screened linearly about the hypotheses at hand, the best of them refitted, the best
-// hypothesis challenged cause by cause. docs/diagnosis.md (6).
+// hypothesis challenged cause by cause. `ends`: asked before one cause more is looked for.
+// docs/diagnosis.md (6).
 SearchResult SearchCauses(const TrainingData& data,
                           const StructureFit& baseline,
                           const std::vector<Suspect>& suspects,
                           const DiagnosisOptions& wanted,
-                          const SearchOptions& options);
+                          const SearchOptions& options,
+                          const EndsSearch& ends);
 
 }  // namespace fathom

@@ -58,7 +58,8 @@ double EffectiveShare(const TrainingData& data, const Eigen::VectorXd& residual)
 
 WeighedSearch SearchByLikelihood(const Prepared& prepared,
                                  const std::vector<Suspect>& suspects,
-                                 const DiagnosisOptions& wanted) {
+                                 const DiagnosisOptions& wanted,
+                                 const EndsSearch& ends) {
   const StructureFit& baseline = prepared.baseline;
   const double inertia =
       std::min(baseline.model.baseline.inertia, prepared.users.model.baseline.inertia);
@@ -67,13 +68,14 @@ WeighedSearch SearchByLikelihood(const Prepared& prepared,
   const StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
   SearchResult found = SearchCauses(
-      thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted, wanted.search);
+      thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted, wanted.search, ends);
   return {Criterion::kLearnedNoise, suspects, std::move(found), std::move(thinned), baseline};
 }
 
 WeighedSearch SearchByFreeRuns(const Prepared& prepared,
                                const std::vector<Suspect>& suspects,
-                               const DiagnosisOptions& wanted) {
+                               const DiagnosisOptions& wanted,
+                               const std::function<bool(const WeighedSearch&, int size)>& ends) {
   constexpr double kLeastOfMomentums = 0.05;  // inertia
   const StartedModel& users = prepared.users;
   const double inertia = std::min(users.model.baseline.inertia, prepared.inertia_by_momentum);
@@ -94,13 +96,15 @@ WeighedSearch SearchByFreeRuns(const Prepared& prepared,
   options.precision.turn /= options.effective_share;
   options.most_work *= 0.5;
   options.beam = 2;
-  std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);
-  SearchResult found = SearchCauses(thinned, rough, of_the_vehicle, wanted, options);
-  return {Criterion::kFreeRun,
-          std::move(of_the_vehicle),
-          std::move(found),
-          std::move(thinned),
-          fitted(prepared.data)};
+  const std::vector<Suspect> of_the_vehicle = OfTheVehicle(suspects);
+  const StructureFit baseline = fitted(prepared.data);
+  const auto search_of = [&](SearchResult found) -> WeighedSearch {
+    return {Criterion::kFreeRun, of_the_vehicle, std::move(found), thinned, baseline};
+  };
+  const auto ends_with = [&](const HypothesisBook& book, int size) {
+    return ends(search_of({.book = book, .scores = {}}), size);
+  };
+  return search_of(SearchCauses(thinned, rough, of_the_vehicle, wanted, options, ends_with));
 }
 
 }  // namespace fathom

@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/search/search.h"
 
+#include <functional>
 #include <vector>
 
 namespace fathom {
@@ -22,12 +23,14 @@ struct WeighedSearch {
 // SearchCauses() by likelihood, the noise learned along.
 WeighedSearch SearchByLikelihood(const Prepared& prepared,
                                  const std::vector<Suspect>& suspects,
-                                 const DiagnosisOptions& wanted);
+                                 const DiagnosisOptions& wanted,
+                                 const EndsSearch& ends);
 
 // SearchCauses() by what free runs miss, for effects of the vehicle alone: what belongs to a run
-// fits what else is missing in it too well to be weighed so.
+// fits what else is missing in it too well to be weighed so. `ends`: as EndsSearch.
 WeighedSearch SearchByFreeRuns(const Prepared& prepared,
                                const std::vector<Suspect>& suspects,
-                               const DiagnosisOptions& wanted);
+                               const DiagnosisOptions& wanted,
+                               const std::function<bool(const WeighedSearch&, int size)>& ends);
 
 }  // namespace fathom

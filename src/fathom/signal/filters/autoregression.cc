@@ -154,7 +154,7 @@ void ColouredGram::FollowEcho() {
     const Eigen::VectorXd added = gram_.diagonal() - before;
     if ((added.array() <= kSmallestEcho * before.array()).all()) return;
   }
-  if (echo_.size() == 0) echo_ = EchoOf(noise_);
+  if (echo_.size() == 0) echo_ = EchoOf(noise_.coefficients);
   const auto last = filtered_.topRows(noise_.order());
   gram_.noalias() += last.transpose() * echo_ * last;
 }

@@ -52,7 +52,7 @@ class ColouredGram {
   const Autoregression noise_;
   Eigen::MatrixXd gram_;      // of the filtered rows so far
   Eigen::MatrixXd filtered_;  // the last order() filtered rows, then the block's
-  Eigen::MatrixXd echo_;      // EchoOf() the noise, from when it is needed
+  Eigen::MatrixXd echo_;      // EchoOf() the noise, once it is needed
 };
 
 }  // namespace fathom

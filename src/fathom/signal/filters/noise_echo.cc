@@ -17,13 +17,13 @@ struct Lattice {
 };
 
 // By Levinson's recursion backwards.
-Lattice LatticeOf(const Autoregression& noise) {
-  const int order = noise.order();
+Lattice LatticeOf(std::span<const double> coefficients) {
+  const auto order = static_cast<int>(coefficients.size());
   Lattice lattice;
   lattice.coefficients.resize(order + 1);
   lattice.reflections.resize(order);
   lattice.scale.assign(order + 1, 1.0);
-  lattice.coefficients[order] = Eigen::Map<const Eigen::VectorXd>(noise.coefficients.data(), order);
+  lattice.coefficients[order] = Eigen::Map<const Eigen::VectorXd>(coefficients.data(), order);
   for (int j = order; j > 0; --j) {
     const Eigen::VectorXd& a = lattice.coefficients[j];
     const double reflection = a[j - 1], left = 1.0 - reflection * reflection;
@@ -39,9 +39,9 @@ Lattice LatticeOf(const Autoregression& noise) {
 // The state is that of the lattice, the backward prediction errors over their standard deviations:
 // no step of it makes any state longer, so that its powers lose nothing to rounding where those of
 // the recursion's own matrix do.
-Eigen::MatrixXd EchoOf(const Autoregression& noise) {
-  const int order = noise.order();
-  const Lattice lattice = LatticeOf(noise);
+Eigen::MatrixXd EchoOf(std::span<const double> coefficients) {
+  const auto order = static_cast<int>(coefficients.size());
+  const Lattice lattice = LatticeOf(coefficients);
   Eigen::MatrixXd state = Eigen::MatrixXd::Zero(order, order);  // from the last rows
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(order, order);
   for (int j = 0; j < order; ++j) {

@@ -3,15 +3,16 @@
 
 #pragma once
 
-#include "fathom/signal/filters/autoregression.h"
+#include <span>
 
 #include <Eigen/Core>
 
 namespace fathom {
 
-// How much of a recursion comes after its last samples: with `last` the order() last rows, the
-// oldest first, and nothing new after them, the sum of the squares of all rows to come is
-// last' E last. In closed form, however long the echo. The noise needs an order of 1 at least.
-Eigen::MatrixXd EchoOf(const Autoregression& noise);
+// How much of the recursion y_i = phi_1 y_{i-1} + ... + phi_p y_{i-p} comes after its last rows:
+// with `last` the p last ones, the oldest first, and nothing new after them, the sum of the squares
+// of all rows to come is last' E last. In closed form, however long the echo. The recursion is
+// stable, p is 1 at least.
+Eigen::MatrixXd EchoOf(std::span<const double> coefficients);
 
 }  // namespace fathom

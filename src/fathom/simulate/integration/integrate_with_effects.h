@@ -42,14 +42,18 @@ RunState<T> FirstState(const EffectInputs& inputs, const ScalarModel<T>& model, 
   return state;
 }
 
+enum class Scheme { kClassical, kMidpoint, kStiff };
+
 // Takes a step whose ends and force are known. The first one alone may have a length with
 // derivatives.
 template <typename T>
-void Take(bool is_stiff, bool is_first, double rate, WaterIntegrator<T>* water, RunStep<T>* step) {
+void Take(Scheme scheme, bool is_first, double rate, WaterIntegrator<T>* water, RunStep<T>* step) {
   const auto take = [&](const auto& h) {
     step->stiff_rate = 0.0;
-    if (!is_stiff) {
+    if (scheme == Scheme::kClassical) {
       water->Step(step->before, step->force, step->begin, h, &step->slope, &step->after);
+    } else if (scheme == Scheme::kMidpoint) {
+      water->MidpointStep(step->before, step->force, step->begin, h, &step->slope, &step->after);
     } else if (water->StiffStep(
                    step->before, step->force, step->begin, h, rate, &step->slope, &step->after)) {
       step->stiff_rate = rate;
@@ -107,7 +111,7 @@ std::optional<bool> TakeStiff(const EffectStack<T>& effects,
   length->longest = std::min(2.0 * length->longest, longest);
   for (; length->repeats_left > 0; --length->repeats_left) {
     const bool reaches_edge = SetEnd(effects, edge, length->longest, is_first, instants, step);
-    Take(true, is_first, rate, water, step);
+    Take(Scheme::kStiff, is_first, rate, water, step);
     const double slope = Value(step->slope.velocity);
     const double h = Value(step->duration);
     const double force = Value(step->force);
@@ -158,7 +162,7 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
     step.command = next_edge > 0 ? inputs.command.value[next_edge - 1] : 0.0;
     const double edge = next_edge < edges.size() ? edges[next_edge] : s + 1.0;
     SetValues(step.after, &state);
-    const auto [longest, is_stiff] = pace.From(state, step.command, s, edge - s);
+    const auto [longest, rate, is_stiff] = pace.From(state, step.command, s, edge - s);
     if (longest == 0.0) return false;
     step.thrust = step.thrust_after;
     step.before = step.after;
@@ -170,7 +174,8 @@ FATHOM_FLATTENED bool IntegrateWithEffects(const EffectInputs& inputs,
       reaches_edge = *taken;
     } else {
       reaches_edge = SetEnd(model.effects, edge, longest, is_first, &instants, &step);
-      Take(false, is_first, 0.0, &water, &step);
+      const bool is_slow = rate * Value(step.duration) < inputs.steps.midpoint;
+      Take(is_slow ? Scheme::kMidpoint : Scheme::kClassical, is_first, 0.0, &water, &step);
     }
     if (!(std::abs(Value(step.after.velocity)) < kLargestSpeed)) return false;
 

@@ -19,9 +19,9 @@ constexpr double kQuickest = 100.0;  // [1/s]
 
 // The force over a step is one number. What changes within it asks for shorter ones: thrusters that
 // follow, and what happens at a time.
-double LongestStep(const ScalarModel<double>& model) {
+double LongestStep(const EffectInputs& inputs, const ScalarModel<double>& model) {
   const bool follows = model.effects.Has(&EffectLaw<double>::follow);
-  return follows || model.depends_on_time ? 0.1 : 0.2;
+  return follows || model.depends_on_time ? 0.5 * inputs.steps.longest : inputs.steps.longest;
 }
 
 // The highest speed while `force` acts for `h` [s]: no more than it gives to a mass alone, nor than
@@ -41,7 +41,7 @@ StepPace::StepPace(const EffectInputs& inputs, const ScalarModel<double>& model)
       instants_(inputs, model.effects),
       water_(model, false, &instants_),
       acts_on_water_(ActsOnWater(model.effects)),
-      longest_(LongestStep(model)) {}
+      longest_(LongestStep(inputs, model)) {}
 
 StepPace::Pace StepPace::From(const RunState<double>& state,
                               double command,
@@ -55,8 +55,8 @@ StepPace::Pace StepPace::From(const RunState<double>& state,
   if (acts_on_water_)
     rate = std::max(rate, WaterRate(state, command, s, std::min(wanted, longest_)));
   const double classical = std::min(longest_, kMostRateTimesStep / rate);
-  if (classical > kShortestClassical) return {classical, false};
-  return {longest_, true};
+  if (classical > kShortestClassical) return {classical, rate, false};
+  return {longest_, rate, true};
 }
 
 FATHOM_FLATTENED double StepPace::SpeedRate(const RunState<double>& state,

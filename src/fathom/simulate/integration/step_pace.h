@@ -24,6 +24,7 @@ class StepPace {
   // How a run may go on from a state.
   struct Pace {
     double longest = 0.0;   // [s]; 0 where the baseline has run away
+    double rate = 0.0;      // the quickest [1/s]
     bool is_stiff = false;  // the classical scheme's would be far shorter: one that is checked
   };
 
