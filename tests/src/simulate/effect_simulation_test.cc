@@ -5,7 +5,9 @@
 
 #include "fathom/vehicle/effects/catalogue.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -282,6 +284,32 @@ TEST(EffectSimulation, RemembersTheVelocityMeasuredBeforeItsStart) {
 }
 
 // A linear spring k and mass m with damping d at rest x0 away from where the force balances.
+// Under a constant force against quadratic damping: v = tanh(t / T), x = T log cosh(t / T).
+TEST(EffectSimulation, ErrsByLessThanAThousandthInStepsOfTheMidpointRule) {
+  constexpr double kTime = 890.0 / 60.0;  // [s]
+  EffectInputs inputs;
+  inputs.command = {{0.0}, {60.0}};
+  OutputStamps stamps;
+  for (int i = 0; i < 100; ++i) stamps.velocity.push_back(0.37 * i);
+  stamps.displacement = stamps.velocity;
+  const auto error = [&] {
+    EffectOutputs outputs;
+    EXPECT_TRUE(EffectSimulation(&inputs, stamps).Run({{890.0, 60.0, 0.0, 0.0}, {}}, {}, &outputs));
+    double most = 0.0;
+    for (std::size_t i = 0; i < stamps.velocity.size(); ++i) {
+      const double t = stamps.velocity[i] / kTime;
+      most = std::max(most, std::abs(outputs.velocity[i] - std::tanh(t)));
+      most = std::max(most, std::abs(outputs.displacement[i] / kTime - std::log(std::cosh(t))));
+    }
+    return most;
+  };
+  const double classical = error();
+  EXPECT_LT(classical, 1e-5);
+  inputs.steps = {.longest = 0.5, .midpoint = 0.1};
+  EXPECT_LT(error(), 1e-3);
+  EXPECT_GT(error(), 3.0 * classical);  // they are other steps
+}
+
 TEST(EffectSimulation, SwingsOnASpringAsTheClosedFormDoes) {
   const double m = 500.0, d = 50.0, k = 20.0;
   EffectInputs inputs;

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace fathom {
@@ -52,7 +52,7 @@ NoiseModel LearnNoise(const TrainingData& data,
 // smaller: a better model leaves less to the disturbance and to slow sensor errors.
 NoiseModel LikeliestSize(const TrainingData& data,
                          const StructureFit& fit,
-                         std::initializer_list<NoiseModel> known) {
+                         std::span<const NoiseModel> known) {
   const std::span<const double> residual(fit.residual.data(), fit.residual.size());
   NoiseModel best;
   double most = -std::numeric_limits<double>::infinity();
@@ -124,7 +124,7 @@ StructureFit FitFreeRun(const TrainingData& data, StructureFit fit, FitPrecision
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const StructureFit& start,
-                   std::initializer_list<NoiseModel> known,
+                   std::span<const NoiseModel> known,
                    const FitPrecision& precision) {
   if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start, precision);
   const NoiseModel noise =

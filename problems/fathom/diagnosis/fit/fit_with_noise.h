@@ -5,7 +5,6 @@
 
 #include "fathom/diagnosis/fit/structure_fit.h"
 
-#include <initializer_list>
 #include <span>
 
 namespace fathom {
@@ -19,7 +18,7 @@ inline constexpr double kRoughShareOfFreeRun = 1e-3;
 StructureFit FitBy(Criterion criterion,
                    const TrainingData& data,
                    const StructureFit& start,
-                   std::initializer_list<NoiseModel> known,
+                   std::span<const NoiseModel> known,
                    const FitPrecision& precision = {});
 
 // The same from a model that was not run yet.

@@ -97,7 +97,7 @@ std::vector<StructureFit> LearnedAt(const TrainingData& data,
                                     const std::vector<StructureFit>& minima) {
   std::vector<StructureFit> learned;
   for (const StructureFit& minimum : minima) {
-    StructureFit next = FitBy(Criterion::kLearnedNoise, data, minimum, {fit.noise});
+    StructureFit next = FitBy(Criterion::kLearnedNoise, data, minimum, {&fit.noise, 1});
     if (!next.IsUsable()) continue;
     learned.push_back(std::move(next));
     if (learned.back().log_likelihood > fit.log_likelihood + kLikelier) break;

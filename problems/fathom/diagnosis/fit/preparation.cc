@@ -44,9 +44,6 @@ size_t NumSamples(const std::vector<MeasuredSegment>& segments) {
   return count;
 }
 
-// Of the inertia that the measured motion shows: beyond it a fit has run away from any motion.
-constexpr double kRunAway = 1e3;
-
 // Where the momentum along the measured motion puts the baseline.
 std::optional<StartedModel> StartByMomentum(const std::vector<MeasuredSegment>& segments) {
   const auto fit = MomentumBalance(segments).Fit();

@@ -17,6 +17,10 @@ namespace fathom {
 // more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
 inline constexpr double kLeastInertiaIfOpen = 0.01;
 
+// Of the inertia that the measured motion shows, or a baseline does: beyond it a fit has run away
+// from any motion.
+inline constexpr double kRunAway = 1e3;
+
 // Segments of which a diagnosis can be made.
 struct Prepared {
   TrainingData data;

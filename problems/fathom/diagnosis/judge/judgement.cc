@@ -258,10 +258,13 @@ Judgement Judge(const Prepared& prepared,
     return ClimbByFreeRuns(prepared, search, parts, wanted.most_causes, options.rules);
   };
   // Beside what likelihood says, several are looked for only where one alone predicts better.
+  bool is_over = false;
   const auto ends = [&](const WeighedSearch& search, int size) {
-    return by_likelihood && size == 1 && climbed(search).choice.chosen == 0;
+    is_over = by_likelihood && size == 1 && climbed(search).choice.chosen == 0;
+    return is_over;
   };
   WeighedSearch search = SearchByFreeRuns(prepared, suspects, wanted, ends);
+  if (is_over) return *std::move(by_likelihood);
   Rung rung = climbed(search);
   if (by_likelihood && !IsNamed(prepared, *by_likelihood, rung, options.rules)) {
     return *std::move(by_likelihood);

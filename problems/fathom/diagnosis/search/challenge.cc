@@ -16,12 +16,6 @@ namespace {
 
 constexpr double kBetter = 1e-9;  // worth by which one is better than another and not its equal
 
-std::vector<int> Others(const Hypothesis& hypothesis, int cause) {
-  std::vector<int> others = hypothesis.suspects;
-  std::erase(others, cause);
-  return others;
-}
-
 // The book with the hypothesis without one of its causes, which are several, on from its own fit.
 HypothesisBook WithoutOne(const SearchTask& task,
                           const Hypothesis& hypothesis,
@@ -36,8 +30,12 @@ HypothesisBook WithoutOne(const SearchTask& task,
                    task.options.rough);
   if (!rough.IsSimulated()) return book;
   constexpr double kWhateverItGains = -std::numeric_limits<double>::infinity();
-  Hypothesis without = BegunFrom(
-      task, book.baseline(), hypothesis, Others(hypothesis, cause), rough, kWhateverItGains);
+  Hypothesis without = BegunFrom(task,
+                                 book.baseline(),
+                                 hypothesis,
+                                 Without(hypothesis.suspects, cause),
+                                 rough,
+                                 kWhateverItGains);
   return WithSettled(task, {std::move(without)}, kWhateverItGains, std::move(book));
 }
 
@@ -69,7 +67,7 @@ HypothesisBook WithCauseReplaced(const SearchTask& task,
   if (challenged.suspects.size() > 1) {
     book = WithoutOne(task, challenged, cause, std::move(book));
   }
-  const int index = book.IndexOf(Others(challenged, cause));
+  const int index = book.IndexOf(Without(challenged.suspects, cause));
   if (index < 0) return book;
   const Hypothesis base = book[index];
   // Under the noise that the challenged one leaves, rivals stand out as they should.

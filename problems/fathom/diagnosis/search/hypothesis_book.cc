@@ -54,6 +54,11 @@ bool IsPhysical(const Hypothesis& hypothesis) {
   return true;
 }
 
+std::vector<int> Without(std::vector<int> suspects, int suspect) {
+  std::erase(suspects, suspect);
+  return suspects;
+}
+
 HypothesisBook::HypothesisBook(StructureFit baseline, Calibration calibration)
     : calibration_(std::move(calibration)) {
   known_[{}] = 0;
@@ -66,9 +71,7 @@ int HypothesisBook::IndexOf(const std::vector<int>& suspects) const {
 }
 
 int HypothesisBook::IndexWithout(int index, int suspect) const {
-  std::vector<int> others = tried_[index].suspects;
-  std::erase(others, suspect);
-  return IndexOf(others);
+  return IndexOf(Without(tried_[index].suspects, suspect));
 }
 
 double HypothesisBook::Worth(int index) const {

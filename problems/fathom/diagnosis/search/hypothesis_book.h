@@ -29,6 +29,9 @@ struct Hypothesis {
 // False where a cause presses on a bound of what is physical: the data ask for something else.
 bool IsPhysical(const Hypothesis& hypothesis);
 
+// Suspects less one of them.
+std::vector<int> Without(std::vector<int> suspects, int suspect);
+
 // What was tried and what came of it: one hypothesis for each set of suspects, the baseline first,
 // then as they came.
 class HypothesisBook {

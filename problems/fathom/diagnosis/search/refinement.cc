@@ -5,6 +5,7 @@
 
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/preparation.h"
 #include "fathom/diagnosis/fit/start_price.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -23,7 +24,7 @@ int NumParameters(const Hypothesis& hypothesis) {
 bool MeansSomething(const SearchTask& task, const Hypothesis& baseline, const StructureFit& fit) {
   if (!fit.IsUsable() || fit.is_on_bound[kInertia]) return false;
   const double inertia_before = baseline.fit.model.baseline.inertia;
-  if (fit.model.baseline.inertia > task.options.most_inertia * inertia_before) return false;
+  if (fit.model.baseline.inertia > kRunAway * inertia_before) return false;
   const double std = std::sqrt(fit.covariance(kInertia, kInertia));
   if (!(std < task.options.open_inertia * fit.model.baseline.inertia)) return false;
   const auto& effects = fit.model.effects;
@@ -132,9 +133,7 @@ Hypothesis Settled(const SearchTask& task,
 double GainWithoutOne(const HypothesisBook& book, const std::vector<int>& suspects) {
   double most = 0.0;
   for (const int suspect : suspects) {
-    std::vector<int> others = suspects;
-    std::erase(others, suspect);
-    const int index = book.IndexOf(others);
+    const int index = book.IndexOf(Without(suspects, suspect));
     if (index >= 0) most = std::max(most, book[index].gain);
   }
   return most;
@@ -163,8 +162,9 @@ Hypothesis BegunFrom(const SearchTask& task,
   hypothesis.suspects = std::move(suspects);
   const Criterion criterion = task.options.criterion;
   const FitPrecision precision = PrecisionFor(task, baseline, most_gain);
-  hypothesis.fit =
-      FitBy(criterion, task.data, rough, {baseline.fit.noise, base.fit.noise}, precision);
+  std::vector<NoiseModel> known = {baseline.fit.noise};
+  if (!base.suspects.empty()) known.push_back(base.fit.noise);
+  hypothesis.fit = FitBy(criterion, task.data, rough, known, precision);
   // Worse than with less: the search went astray under the noise it began with.
   if (!(hypothesis.fit.log_likelihood > baseline.fit.log_likelihood)) {
     ExtendedModel model = rough.model;

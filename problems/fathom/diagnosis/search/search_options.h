@@ -89,9 +89,6 @@ struct SearchOptions {
   // Standard deviations of the inertia, in inertias, from which on a fit leaves it open.
   double open_inertia = 3.0;
 
-  // Inertia, of the baseline's, beyond which a fit has run away from any motion.
-  double most_inertia = 1e3;
-
   // Pairs that are refitted because they only together explain much, and trials of each suspect
   // that they are made of, by each screen.
   int most_pairs = 4;
