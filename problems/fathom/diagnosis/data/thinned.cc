@@ -16,10 +16,10 @@
 namespace fathom {
 namespace {
 
-constexpr double kJump = 0.1;     // of the RMS command
-constexpr double kSlack = 1e-6;   // [s], of stamps
-constexpr double kSlow = 0.1;     // rate times step: a second-order step errs by less than 1e-3
-constexpr double kWorthIt = 1.5;  // so many to one, at least
+constexpr double kJump = 0.1;      // of the RMS command
+constexpr double kSlack = 1e-6;    // [s], of stamps
+constexpr double kSlow = 0.1;      // rate times step: a second-order step errs by less than 1e-3
+constexpr double kWorthIt = 1.25;  // so many to one, at least
 
 // True if `time` has so many stamps that averaging over a `width` [s] is worth it.
 bool IsFast(const std::vector<double>& time, double width) {

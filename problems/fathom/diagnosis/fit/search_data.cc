@@ -13,7 +13,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kOfBin = 0.6;  // width of what is averaged, of a bin's
+constexpr double kOfBin = 0.5;  // width of what is averaged, of a bin's
 
 // Chi squared, of which a cause has to gain ten times as much.
 constexpr double kUnseen = 1.0;
