@@ -5,7 +5,7 @@
 // nothing hidden, with one cause, with two; seconds per log, and where they go. docs/diagnosis.md.
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/effects/hidden_effects.h"
 #include "fathom/synthesize/synthesize.h"
 
 #include <cstdio>
@@ -69,7 +69,7 @@ Log LogWith(const std::string& effects, bool with_poses) {
   const auto scales = ScalesOf(vehicle, experiment, 1);
   const std::vector<ActiveEffect> hidden = effects.empty()
                                                ? std::vector<ActiveEffect>()
-                                               : ParseEffectList(effects, experiment, scales, 1);
+                                               : ParseHiddenEffects(effects, experiment, scales, 1);
   return Synthesize(vehicle, experiment, hidden, 1);
 }
 

@@ -14,7 +14,7 @@
 #include "fathom/film/film_log.h"
 #include "fathom/log/write_log.h"
 #include "fathom/report/format_value.h"
-#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/effects/hidden_effects.h"
 #include "fathom/synthesize/experiment/experiment_file.h"
 #include "fathom/synthesize/synthesize.h"
 #include "fathom/synthesize/truth_file.h"
@@ -154,7 +154,7 @@ int Run() {
                       vehicle.name));
     }
     const auto scales = ScalesOf(vehicle, experiment, FLAGS_seed);
-    effects = ParseEffectList(FLAGS_effects, experiment, scales, FLAGS_seed);
+    effects = ParseHiddenEffects(FLAGS_effects, experiment, scales, FLAGS_seed);
   }
   Log log = SynthesizeFilmed(vehicle, experiment, effects, film);
   // What the thrusters and fins of its command are; the truth stays out.

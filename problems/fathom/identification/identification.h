@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/adaptive/adaptive.h"
+#include "fathom/adaptive/fit_adaptive.h"
 #include "fathom/identification/family.h"
 #include "fathom/joint_refinement/joint_refinement.h"
 #include "fathom/output_error/output_error.h"

@@ -21,6 +21,7 @@ struct OrdinaryRequest {
   FittedModel model;
   std::string name;                         // of the model's file or logs, for messages
   std::vector<std::string> logs;            // their paths
+  std::vector<TimeInterval> spans;          // of each, held-out data included: first and last stamp
   std::vector<Segment> segments;            // of all logs, of one DOF
   std::vector<std::size_t> log_of_segment;  // an index into `logs` for each
 };

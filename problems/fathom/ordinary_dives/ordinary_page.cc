@@ -88,11 +88,6 @@ std::string KeptTogether(std::string text) {
   return text;
 }
 
-bool IsChosenFrom(const OrdinaryDives& dives, std::size_t log_index) {
-  return std::ranges::any_of(
-      dives.chosen, [&](std::size_t k) { return dives.stretches[k].log_index == log_index; });
-}
-
 }  // namespace
 
 Page OrdinaryPage(const OrdinaryRequest& request, const OrdinaryDives& dives) {

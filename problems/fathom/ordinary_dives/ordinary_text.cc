@@ -64,6 +64,23 @@ void AddShares(const OrdinaryDives& dives, const OrdinaryKnowledge& knowledge, T
   }
 }
 
+// What of a log lies outside of the chosen stretches, held-out data with it.
+std::vector<TimeInterval> RestOfLog(const OrdinaryRequest& request,
+                                    const OrdinaryDives& dives,
+                                    std::size_t log_index) {
+  constexpr double kHundredth = 0.01;  // [s], as times are printed
+  const TimeInterval& span = request.spans[log_index];
+  std::vector<TimeInterval> rest;
+  double from = span.from;
+  for (const OrdinaryStretch& stretch : dives.stretches) {
+    if (stretch.log_index != log_index || stretch.place == 0) continue;
+    if (stretch.time.from - from >= kHundredth) rest.push_back({from, stretch.time.from});
+    from = stretch.time.to;
+  }
+  if (from < span.to) rest.push_back({from, span.to + kHundredth});
+  return rest;
+}
+
 // "linear_damping ± 60 % and buoyancy ± 80 %": what is wider than this.
 std::vector<std::string> Wider(const OrdinaryDives& dives, double share) {
   std::vector<std::string> wider;
@@ -97,6 +114,11 @@ std::string PlaceName(int place) {
   return fmt::format("{}th", place);
 }
 
+bool IsChosenFrom(const OrdinaryDives& dives, std::size_t log_index) {
+  return std::ranges::any_of(
+      dives.chosen, [&](std::size_t k) { return dives.stretches[k].log_index == log_index; });
+}
+
 double FirstStamp(const OrdinaryRequest& request, std::size_t log_index) {
   for (std::size_t s = 0; s < request.segments.size(); ++s) {
     if (request.log_of_segment[s] == log_index) return request.segments[s].time.front();
@@ -106,28 +128,6 @@ double FirstStamp(const OrdinaryRequest& request, std::size_t log_index) {
 
 double TimeInLog(const OrdinaryRequest& request, const OrdinaryStretch& stretch, double time) {
   return time - FirstStamp(request, stretch.log_index);
-}
-
-std::string RestOfLog(const OrdinaryRequest& request,
-                      const OrdinaryDives& dives,
-                      std::size_t log_index) {
-  std::vector<std::string> rest;
-  bool is_chosen = false;
-  double from = FirstStamp(request, log_index), to = from;
-  const auto hold_out = [&](double end) {
-    if (end - from > 1e-3) rest.push_back(fmt::format("{:.2f}:{:.2f}", from, end));
-  };
-  for (const OrdinaryStretch& stretch : dives.stretches) {
-    if (stretch.log_index != log_index) continue;
-    to = stretch.time.to;
-    if (stretch.place == 0) continue;
-    is_chosen = true;
-    hold_out(stretch.time.from);
-    from = stretch.time.to;
-  }
-  if (!is_chosen) return "";
-  hold_out(to);
-  return fmt::format("{}", fmt::join(rest, ","));
 }
 
 std::string OrdinarySentence(const OrdinaryRequest& request, const OrdinaryDives& dives) {
@@ -196,14 +196,30 @@ std::vector<std::string> OrdinaryRemedySentences(const OrdinaryDives& dives) {
 std::vector<std::string> HowToFitChosen(const OrdinaryRequest& request,
                                         const OrdinaryDives& dives) {
   std::vector<std::string> lines;
+  std::string logs;
+  const auto joined = [&](std::size_t log_index, std::string_view form, std::string_view between) {
+    std::vector<std::string> texts;
+    for (const TimeInterval& rest : RestOfLog(request, dives, log_index)) {
+      texts.push_back(fmt::format(fmt::runtime(form), rest.from, rest.to));
+    }
+    return fmt::format("{}", fmt::join(texts, between));
+  };
   for (std::size_t k = 0; k < request.logs.size(); ++k) {
-    const std::string rest = RestOfLog(request, dives, k);
-    if (rest.empty()) continue;
-    lines.push_back(fmt::format("fathom_identify --log={} --dof={} --held_out={}",
-                                request.logs[k],
-                                Name(request.model.dof),
-                                rest));
+    if (!IsChosenFrom(dives, k)) continue;
+    logs += " --log=" + request.logs[k];
+    if (request.logs.size() == 1) continue;
+    const std::string rest = joined(k, "[{:.2f}, {:.2f}]", ", ");
+    if (!rest.empty()) {
+      lines.push_back(fmt::format("held_out: [{}] in the log.yaml of {}", rest, request.logs[k]));
+    }
   }
+  std::string command = fmt::format("fathom_identify{} --dof={}", logs, Name(request.model.dof));
+  if (request.logs.size() == 1) {
+    const std::string rest = joined(0, "{:.2f}:{:.2f}", ",");
+    if (rest.empty()) return {};
+    command += " --held_out=" + rest;
+  }
+  lines.push_back(std::move(command));
   return lines;
 }
 

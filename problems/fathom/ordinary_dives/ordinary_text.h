@@ -19,8 +19,8 @@ std::string OrdinarySentence(const OrdinaryRequest& request, const OrdinaryDives
 // well known.
 std::vector<std::string> OrdinaryRemedySentences(const OrdinaryDives& dives);
 
-// The commands that fit the chosen stretches alone, one for each log that holds some and is not
-// chosen as a whole.
+// The command that fits the chosen stretches alone. Of several logs, before it what each log.yaml
+// has to hold out. Empty where one log is chosen as a whole.
 std::vector<std::string> HowToFitChosen(const OrdinaryRequest& request, const OrdinaryDives& dives);
 
 // What was assumed: a sentence each.
@@ -47,10 +47,7 @@ std::string PlaceName(int place);
 // Seconds into its log: "1433350690.2" is 51.0 where the log's first sample is at 1433350639.2.
 double TimeInLog(const OrdinaryRequest& request, const OrdinaryStretch& stretch, double time);
 
-// What of a log's samples lies outside of the chosen stretches, as --held_out takes it; empty where
-// nothing of that log is chosen, or all of it.
-std::string RestOfLog(const OrdinaryRequest& request,
-                      const OrdinaryDives& dives,
-                      std::size_t log_index);
+// Whether some stretch of a log is chosen.
+bool IsChosenFrom(const OrdinaryDives& dives, std::size_t log_index);
 
 }  // namespace fathom

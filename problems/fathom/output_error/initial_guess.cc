@@ -3,7 +3,7 @@
 
 #include "fathom/output_error/initial_guess.h"
 
-#include "fathom/adaptive/adaptive.h"
+#include "fathom/adaptive/fit_adaptive.h"
 #include "fathom/least_squares/least_squares.h"
 #include "fathom/simulate/free_run.h"
 

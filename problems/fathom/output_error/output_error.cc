@@ -7,9 +7,9 @@
 #include "fathom/base/robust_std.h"
 #include "fathom/output_error/caveats.h"
 #include "fathom/output_error/coarse_segments.h"
+#include "fathom/output_error/constrained_optimum.h"
 #include "fathom/output_error/initial_guess.h"
 #include "fathom/output_error/learned/learned_fit.h"
-#include "fathom/output_error/search_within_bounds.h"
 #include "fathom/output_error/window_layout.h"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ Found SearchFrom(const WindowUnknowns& start,
   const bool is_robust = options.huber_k < kNever;
   double sigma = is_near && is_robust ? noise_at(start) : 0.1 * spread;
   ConstrainedOptimum end =
-      SearchWithinBounds(windows, sigma, is_near ? options.huber_k : kNever, options, start);
+      FindConstrainedOptimum(windows, sigma, is_near ? options.huber_k : kNever, options, start);
   const double initial_cost = end.solve.initial_cost;
   int num_iterations = end.solve.num_iterations;
   for (int i = 0; i < kMostRepetitions && end.solve.converged && is_robust; ++i) {
@@ -152,7 +152,7 @@ Found SearchFrom(const WindowUnknowns& start,
     sigma = noise_at(end.unknowns);
     const double change = std::abs(sigma - previous_sigma) / previous_sigma;
     if (is_near && change < 0.01) break;
-    end = SearchWithinBounds(windows, sigma, options.huber_k, options, end.unknowns);
+    end = FindConstrainedOptimum(windows, sigma, options.huber_k, options, end.unknowns);
     num_iterations += end.solve.num_iterations;
     if (change < 0.1) break;
   }

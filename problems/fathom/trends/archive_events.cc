@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -155,13 +156,23 @@ void Name(ArchiveEvents* archive) {
   }
 }
 
-// How many causes it takes; one without a name is worse than two with one.
-int NumCauses(const ArchiveEvents& archive) {
-  int count = 0;
+// What it takes to explain an archive.
+struct Effort {
+  int num_causes = 0;  // one without a name counts three
+  int num_free = 0;    // numbers of those with a name
+
+  auto operator<=>(const Effort&) const = default;
+};
+
+Effort EffortOf(const ArchiveEvents& archive) {
+  Effort effort;
   for (const ArchiveEvent& event : archive.events) {
-    for (const NamedCause& named : event.judged.causes) count += named.cause == "unnamed" ? 3 : 1;
+    for (const NamedCause& named : event.judged.causes) {
+      effort.num_causes += named.cause == "unnamed" ? 3 : 1;
+      effort.num_free += named.pattern.NumFree();
+    }
   }
-  return count;
+  return effort;
 }
 
 bool HasTrend(const ArchiveEvents& archive) {
@@ -172,7 +183,8 @@ bool HasTrend(const ArchiveEvents& archive) {
 
 // A slope is not a stack of steps: damping that grows from dive to dive, beside steps of other
 // parameters, can look like a step of the damping with each of them. Takes a trend of all damping
-// in place of such steps where that explains the archive by fewer causes.
+// in place of such steps where that explains the archive by fewer causes, or by as many of fewer
+// numbers.
 void TakeTrendForSteps(ArchiveEvents* archive) {
   if (HasTrend(*archive)) return;
   ArchiveEvents other = *archive;
@@ -186,7 +198,7 @@ void TakeTrendForSteps(ArchiveEvents* archive) {
   DropTheExplained(&other);
   if (!HasTrend(other)) return;
   Name(&other);
-  if (NumCauses(other) < NumCauses(*archive)) *archive = std::move(other);
+  if (EffortOf(other) < EffortOf(*archive)) *archive = std::move(other);
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 namespace fathom {
 namespace {
 
+constexpr double kClearDeviations = 2.0;
+
 struct Number {
   double value = 0.0;
   double std = 0.0;
@@ -102,11 +104,24 @@ struct Teller {
     return {scale * event.difference(i), scale * std::sqrt(event.covariance(m + i, m + i))};
   }
 
+  // The told of which it is clear that they changed; all told, where it is clear of none.
+  std::vector<std::size_t> ClearOf(const std::vector<std::size_t>& told_ones) const {
+    std::vector<std::size_t> clear;
+    for (const std::size_t i : told_ones) {
+      const Number number = Difference(i);
+      if (std::abs(number.value) > kClearDeviations * number.std) clear.push_back(i);
+    }
+    return clear.empty() ? told_ones : clear;
+  }
+
   // "the buoyancy in heave is 5.0 N larger (± 0.4)", "... grows by 5.0 N a dive (± 0.4)".
   std::string Parameters(bool with_linear = true) const {
-    std::vector<std::string> items;
+    std::vector<std::size_t> told_ones;
     for (std::size_t i = 0; i < event.series.size(); ++i) {
-      if (!IsTold(i) || (!with_linear && HasMass(series[event.series[i]]))) continue;
+      if (IsTold(i) && (with_linear || !HasMass(series[event.series[i]]))) told_ones.push_back(i);
+    }
+    std::vector<std::string> items;
+    for (const std::size_t i : ClearOf(told_ones)) {
       const DiveSeries& one = series[event.series[i]];
       const Number number = Difference(i);
       const std::string unit = UnitOfNumber(one);

@@ -37,6 +37,7 @@ struct Pattern {
   PatternSign sign = PatternSign::kAny;  // of z and of the parameters that follow f
 
   bool HasFactor() const { return (share.array() != 0.0).any(); }
+  int NumFree() const { return static_cast<int>(directions.cols()) + (HasFactor() ? 1 : 0); }
   bool Moves(Eigen::Index s) const {
     return share(s) != 0.0 || (directions.row(s).array() != 0.0).any();
   }

@@ -79,12 +79,14 @@ std::string ToCheck(double inertia, const Body& body) {
 }
 
 std::string ExplainedBy(double inertia, const Body& body) {
-  std::vector<std::string> texts;
+  std::vector<std::string> texts, unusual;
   for (const UnitMistake& mistake : kUnitMistakes) {
     if (!IsPossible(mistake, body.logged)) continue;
     const double masses = inertia / mistake.factor / body.mass;
-    if (masses >= 1.0 && masses <= kUsualMasses) texts.emplace_back(mistake.text);
+    if (masses < 1.0 || masses > kMostMasses) continue;
+    (masses <= kUsualMasses ? texts : unusual).emplace_back(mistake.text);
   }
+  texts.insert(texts.end(), unusual.begin(), unusual.end());
   if (texts.empty()) return ToCheck(inertia, body);
   texts.emplace_back(kWrongMass);
   return fmt::format("Would explain it: {}.", fmt::join(texts, "; or "));

@@ -8,7 +8,7 @@
 #include "fathom/findings/motion_check.h"
 #include "fathom/findings/other_axes.h"
 #include "fathom/findings/pose_twist_check.h"
-#include "fathom/findings/sanity.h"
+#include "fathom/findings/signal_check.h"
 #include "fathom/findings/stamp_check.h"
 #include "fathom/signal/sources/choose_source.h"
 #include "fathom/signal/sources/log_column.h"
@@ -76,17 +76,17 @@ LoggedQuantities QuantitiesOf(std::span<const Log> logs) {
   return logged;
 }
 
-// Of the stamps, which all DOFs share; the others of CheckSanity() are of force and speed.
+// Of the stamps, which all DOFs share; the others of CheckSignals() are of force and speed.
 bool IsOfStamps(const Finding& finding) {
   return finding.code == "sampling_rate" || finding.code == "jitter" || finding.code == "gap";
 }
 
-// What CheckSanity() says of one DOF of several begins with its name.
-std::vector<Finding> SanityOf(const std::vector<Segment>& segments,
-                              Dof dof,
-                              const std::string& unit,
-                              bool is_of_several) {
-  std::vector<Finding> findings = CheckSanity(segments, dof, unit);
+// What CheckSignals() says of one DOF of several begins with its name.
+std::vector<Finding> SignalFindings(const std::vector<Segment>& segments,
+                                    Dof dof,
+                                    const std::string& unit,
+                                    bool is_of_several) {
+  std::vector<Finding> findings = CheckSignals(segments, dof, unit);
   if (!is_of_several) return findings;
   for (Finding& finding : findings) {
     if (IsOfStamps(finding)) continue;
@@ -114,7 +114,7 @@ std::vector<Finding> CheckOneDof(std::span<const Log> logs, Dof dof, bool is_of_
     Signals signals = SignalsOf(log, dof, {.source = source});
     std::ranges::move(signals.train, std::back_inserter(segments));
   }
-  Add(SanityOf(segments, dof, CommandUnitOf(logs.front(), dof), is_of_several), &findings);
+  Add(SignalFindings(segments, dof, CommandUnitOf(logs.front(), dof), is_of_several), &findings);
   return WarningsFirst(std::move(findings));
 }
 
@@ -129,7 +129,7 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals
     Add(OfLog(log, logs.size(), CheckFollowedCommand(log, signals.dof)), &findings);
     Add(OfLog(log, logs.size(), CheckOtherAxesOf(log, signals)), &findings);
   }
-  Add(CheckSanity(signals), &findings);
+  Add(CheckSignals(signals), &findings);
   return WarningsFirst(std::move(findings));
 }
 

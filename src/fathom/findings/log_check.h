@@ -18,7 +18,7 @@ namespace fathom {
 
 // What every program checks before a fit: stamps and motion of each log (stamp_check.h,
 // motion_check.h), and command and
-// motion together (sanity.h) in the training part of `signals`, which are those of all logs.
+// motion together (signal_check.h) in the training part of `signals`, which are those of all logs.
 // Warnings first.
 std::vector<Finding> CheckLogs(std::span<const Log> logs, const Signals& signals);
 

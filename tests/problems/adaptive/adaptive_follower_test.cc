@@ -3,7 +3,7 @@
 
 #include "fathom/adaptive/adaptive_follower.h"
 
-#include "fathom/adaptive/adaptive.h"
+#include "fathom/adaptive/fit_adaptive.h"
 
 #include <cmath>
 #include <vector>

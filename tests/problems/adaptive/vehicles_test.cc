@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/adaptive/adaptive.h"
+#include "fathom/adaptive/fit_adaptive.h"
 #include "fathom/output_error/output_error.h"
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/search/suspects.h"
-#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/effects/hidden_effects.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ bool IsHiddenWith(const Effect* effect, Dof dof, Dof partner) {
   const std::string text =
       fmt::format("{}.{}:partner={}", Name(dof), effect->info().name, Name(partner));
   try {
-    const auto hidden = ParseEffectList(text, experiment, scales, 1, std::span(&effect, 1));
+    const auto hidden = ParseHiddenEffects(text, experiment, scales, 1, std::span(&effect, 1));
     return hidden.at(0).setting.partner == partner;
   } catch (const InputError&) {
     return false;

@@ -3,7 +3,7 @@
 
 #include "surge_run.h"
 
-#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/effects/hidden_effects.h"
 #include "fathom/synthesize/synthesize.h"
 
 #include <cstddef>
@@ -61,7 +61,7 @@ Log LogOf(const SurgeRun& run, std::uint64_t seed) {
   std::vector<ActiveEffect> effects = run.more;
   if (!run.effects.empty()) {
     const auto scales = ScalesOf(vehicle, experiment, seed);
-    for (ActiveEffect& active : ParseEffectList(run.effects, experiment, scales, seed)) {
+    for (ActiveEffect& active : ParseHiddenEffects(run.effects, experiment, scales, seed)) {
       effects.push_back(std::move(active));
     }
   }

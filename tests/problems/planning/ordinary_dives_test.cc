@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tank_trial.h"
@@ -22,6 +23,7 @@
 namespace fathom {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 const UncoupledModel<double> kTruth = {850.0, 60.0, 40.0, 1.5};
@@ -72,6 +74,7 @@ OrdinaryRequest RequestFor(const std::vector<Segment>& segments) {
   request.name = "the fit";
   for (std::size_t k = 0; k < segments.size(); ++k) {
     request.logs.push_back("dive_" + std::to_string(k + 1));
+    request.spans.push_back({segments[k].time.front(), segments[k].time.back()});
     request.log_of_segment.push_back(k);
   }
   request.segments = segments;
@@ -226,6 +229,42 @@ TEST(JudgeDives, ForecastsWhatAManoeuvreGives) {
     }
   }
   EXPECT_EQ(num_found, 1) << remedy->words;
+}
+
+// Samples from 20 to 100 s; the log holds out what it has from 0 to 20 s, and from 100 to 130 s.
+OrdinaryDives TwoOfThreeStretches(std::size_t log_index, OrdinaryDives dives = {}) {
+  for (const auto& [from, to, place] :
+       {std::tuple(20.0, 50.0, 1), std::tuple(50.0, 75.0, 0), std::tuple(75.0, 100.05, 2)}) {
+    OrdinaryStretch stretch;
+    stretch.log_index = log_index;
+    stretch.time = {from, to};
+    stretch.place = place;
+    if (place > 0) dives.chosen.push_back(dives.stretches.size());
+    dives.stretches.push_back(stretch);
+  }
+  return dives;
+}
+
+TEST(HowToFitChosen, HoldsOutWhatTheLogHoldsOutToo) {
+  OrdinaryRequest request;
+  request.logs = {"dive"};
+  request.spans = {{0.0, 130.0}};
+  EXPECT_THAT(HowToFitChosen(request, TwoOfThreeStretches(0)),
+              ElementsAre("fathom_identify --log=dive --dof=surge "
+                          "--held_out=0.00:20.00,50.00:75.00,100.05:130.01"));
+  request.spans = {{20.0, 100.0}};
+  EXPECT_THAT(HowToFitChosen(request, TwoOfThreeStretches(0)),
+              ElementsAre("fathom_identify --log=dive --dof=surge --held_out=50.00:75.00"));
+}
+
+TEST(HowToFitChosen, FitsSeveralLogsAsOne) {
+  OrdinaryRequest request;
+  request.logs = {"a", "b", "c"};
+  request.spans = {{20.0, 100.0}, {20.0, 100.0}, {0.0, 100.0}};
+  EXPECT_THAT(HowToFitChosen(request, TwoOfThreeStretches(2, TwoOfThreeStretches(0))),
+              ElementsAre("held_out: [[50.00, 75.00]] in the log.yaml of a",
+                          "held_out: [[0.00, 20.00], [50.00, 75.00]] in the log.yaml of c",
+                          "fathom_identify --log=a --log=c --dof=surge"));
 }
 
 // Nothing is commanded: nothing tells the inertia.

@@ -50,6 +50,19 @@ TEST(EventText, TellsTheGrowthOfDampingByDive) {
             "Damping grows by 6.2 % a dive (± 1.0) in surge and sway: fouling.");
 }
 
+TEST(EventText, LeavesOutNumbersOfWhichAChangeIsNotClear) {
+  TextCase test;
+  test.named.cause = "fouling";
+  test.named.pattern.directions << 0.0, 1.0, 0.0, 1.0;
+  test.event.difference(3) = -1.9;  // standard deviations
+  EXPECT_EQ(test.Text({ChangeKind::kStep, 2}),
+            "From dive c on the quadratic damping in surge is 2.0 kg/m larger (± 0.5): fouling.");
+  test.event.difference(1) = 1.9;  // clear of none
+  EXPECT_EQ(test.Text({ChangeKind::kStep, 2}),
+            "From dive c on the quadratic damping in surge is 0.9 kg/m larger (± 0.5) and the "
+            "quadratic damping in sway is 0.9 kg/m smaller (± 0.5): fouling.");
+}
+
 TEST(EventText, TellsHowWeakAThrusterIs) {
   TextCase test;
   test.named.cause = "thruster(port)";

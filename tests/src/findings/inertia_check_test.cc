@@ -45,6 +45,17 @@ TEST(InertiaCheck, NamesTheUnitThatExplainsIt) {
   EXPECT_THAT(SentenceOn(1.0 / 9.80665, kForces), HasSubstr("kgf"));
 }
 
+// 70 kg, 3.1 masses, given in kgf: 7.1 kg. Pounds of force would make 1.4 masses of it.
+TEST(InertiaCheck, NamesLastWhatTakesMuchAddedMass) {
+  const Body body = {.mass = kRov.mass, .logged = kForces};
+  const auto finding = CheckInertia(Dof::kSurge, 70.0 / 9.80665, 0.1, body);
+  ASSERT_TRUE(finding);
+  const std::size_t pounds = finding->sentence.find("lbf"),
+                    kilograms = finding->sentence.find("kgf");
+  ASSERT_NE(kilograms, std::string::npos) << finding->sentence;
+  EXPECT_LT(pounds, kilograms);
+}
+
 TEST(InertiaCheck, NamesNoQuantityThatTheLogsDoNotHold) {
   EXPECT_THAT(SentenceOn(3600.0, kForces), Not(HasSubstr("thruster")));
   EXPECT_THAT(SentenceOn(1e-3, kThrusterSpeeds), AllOf(HasSubstr("mm/s"), Not(HasSubstr("kN"))));

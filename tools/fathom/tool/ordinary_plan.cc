@@ -25,6 +25,8 @@
 #include "fathom/vehicle/files/coupled_model_file.h"
 #include "fathom/vehicle/files/model_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <optional>
@@ -76,6 +78,17 @@ std::optional<FittedModel> ModelOfLogs(const std::vector<Log>& logs, Dof dof) {
   return std::nullopt;
 }
 
+// Of the motion.
+TimeInterval SpanOf(const Log& log) {
+  TimeInterval span = {INFINITY, -INFINITY};
+  for (const std::optional<Stream>* stream : {&log.velocity, &log.pose, &log.detections}) {
+    if (!*stream || (*stream)->time.empty()) continue;
+    span.from = std::min(span.from, (*stream)->time.front());
+    span.to = std::max(span.to, (*stream)->time.back());
+  }
+  return span;
+}
+
 void PrintDives(const OrdinaryRequest& request, const OrdinaryDives& dives) {
   PrintText(stdout, OrdinarySentence(request, dives) + "\n\n");
   PrintText(stdout, TableForTerminal(ChosenStretchTable(request, dives)));
@@ -117,6 +130,7 @@ int RunOrdinaryPlan(const OrdinaryPlanFiles& files) {
   } else {
     request.model = ModelOfFile(files.model, joined);
   }
+  for (const Log& log : logs) request.spans.push_back(SpanOf(log));
   request.segments = std::move(joined.all.train);
   request.log_of_segment = std::move(joined.log_of_train);
   const OrdinaryDives dives = JudgeDives(request);

@@ -4,11 +4,11 @@
 #include "fathom/output_error/learned/learned_fit.h"
 
 #include "fathom/output_error/caveats.h"
+#include "fathom/output_error/constrained_optimum.h"
 #include "fathom/output_error/learned/binned_run.h"
 #include "fathom/output_error/learned/binned_segment.h"
 #include "fathom/output_error/learned/learned_noise.h"
 #include "fathom/output_error/learned/whitened_cost.h"
-#include "fathom/output_error/search_within_bounds.h"
 #include "fathom/signal/filters/wild_samples.h"
 
 #include <limits>

@@ -36,10 +36,10 @@ struct ConstrainedOptimum {
 
 // The least cost with both dampings at least 0, from `start`; `sigma` and `huber_k` as in
 // ShootingWindow.
-ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows,
-                                      double sigma,
-                                      double huber_k,
-                                      const OutputErrorOptions& options,
-                                      const WindowUnknowns& start);
+ConstrainedOptimum FindConstrainedOptimum(const std::vector<ShootingWindow>& windows,
+                                          double sigma,
+                                          double huber_k,
+                                          const OutputErrorOptions& options,
+                                          const WindowUnknowns& start);
 
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/output_error/search_within_bounds.h"
+#include "fathom/output_error/constrained_optimum.h"
 
 #include "fathom/output_error/window_layout.h"
 
@@ -52,11 +52,11 @@ UncoupledModel<double> ModelIn(const ShootingWindow& window, const WindowUnknown
   return ModelOf(unknowns.vehicle.data(), unknowns.offsets[window.offset]);
 }
 
-ConstrainedOptimum SearchWithinBounds(const std::vector<ShootingWindow>& windows,
-                                      double sigma,
-                                      double huber_k,
-                                      const OutputErrorOptions& options,
-                                      const WindowUnknowns& start) {
+ConstrainedOptimum FindConstrainedOptimum(const std::vector<ShootingWindow>& windows,
+                                          double sigma,
+                                          double huber_k,
+                                          const OutputErrorOptions& options,
+                                          const WindowUnknowns& start) {
   WindowUnknowns unknowns = start;
   const auto problem = BuildProblem(windows, sigma, huber_k, options.continuity, &unknowns);
   BoundedSolveOptions solver;

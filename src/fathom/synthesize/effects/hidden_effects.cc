@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/effects/hidden_effects.h"
 
 #include "fathom/base/random_stream.h"
 #include "fathom/synthesize/effects/given_effect.h"
@@ -75,11 +75,11 @@ ActiveEffect Drawn(const GivenEffect& given,
 
 }  // namespace
 
-std::vector<ActiveEffect> ParseEffectList(const std::string& text,
-                                          const Experiment& experiment,
-                                          const std::array<Scales, 6>& scales,
-                                          std::uint64_t seed,
-                                          std::span<const Effect* const> effects) {
+std::vector<ActiveEffect> ParseHiddenEffects(const std::string& text,
+                                             const Experiment& experiment,
+                                             const std::array<Scales, 6>& scales,
+                                             std::uint64_t seed,
+                                             std::span<const Effect* const> effects) {
   std::vector<ActiveEffect> hidden;
   if (text.empty()) return hidden;
   for (const std::string& part : Split(text, ',')) {
@@ -102,13 +102,13 @@ std::vector<ActiveEffect> ParseEffectList(const std::string& text,
   return hidden;
 }
 
-std::vector<ActiveEffect> ParseEffectList(const std::string& text,
-                                          const Experiment& experiment,
-                                          const std::array<Scales, 6>& scales,
-                                          std::uint64_t seed) {
+std::vector<ActiveEffect> ParseHiddenEffects(const std::string& text,
+                                             const Experiment& experiment,
+                                             const std::array<Scales, 6>& scales,
+                                             std::uint64_t seed) {
   std::vector<const Effect*> effects(EffectCatalogue().begin(), EffectCatalogue().end());
   effects.insert(effects.end(), UnlistedEffects().begin(), UnlistedEffects().end());
-  return ParseEffectList(text, experiment, scales, seed, effects);
+  return ParseHiddenEffects(text, experiment, scales, seed, effects);
 }
 
 std::string Describe(const ActiveEffect& active) {

@@ -25,17 +25,17 @@ namespace fathom {
 // given is the first other driven DOF that can be one. `scales` by Index(Dof), as ScalesOf().
 //
 // Throws InputError, saying what there is, for names and values that cannot be used.
-std::vector<ActiveEffect> ParseEffectList(const std::string& text,
-                                          const Experiment& experiment,
-                                          const std::array<Scales, 6>& scales,
-                                          std::uint64_t seed,
-                                          std::span<const Effect* const> effects);
+std::vector<ActiveEffect> ParseHiddenEffects(const std::string& text,
+                                             const Experiment& experiment,
+                                             const std::array<Scales, 6>& scales,
+                                             std::uint64_t seed,
+                                             std::span<const Effect* const> effects);
 
 // The same with EffectCatalogue() and UnlistedEffects().
-std::vector<ActiveEffect> ParseEffectList(const std::string& text,
-                                          const Experiment& experiment,
-                                          const std::array<Scales, 6>& scales,
-                                          std::uint64_t seed);
+std::vector<ActiveEffect> ParseHiddenEffects(const std::string& text,
+                                             const Experiment& experiment,
+                                             const std::array<Scales, 6>& scales,
+                                             std::uint64_t seed);
 
 // "surge.thruster_lag: time_constant = 0.5 s", with the partner if it has one.
 std::string Describe(const ActiveEffect& effect);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/findings/sanity.h"
+#include "fathom/findings/signal_check.h"
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
@@ -244,9 +244,9 @@ void CheckSpeed(double fastest, Dof dof, Findings* findings) {
 
 }  // namespace
 
-std::vector<Finding> CheckSanity(std::span<const Segment> segments,
-                                 Dof dof,
-                                 const std::string& force_unit) {
+std::vector<Finding> CheckSignals(std::span<const Segment> segments,
+                                  Dof dof,
+                                  const std::string& force_unit) {
   Findings findings;
   const Samples samples = SamplesOf(segments);
   if (samples.step.size() < 2) return findings;

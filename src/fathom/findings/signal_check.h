@@ -23,13 +23,13 @@ namespace fathom {
 //   constant_velocity   warning  the velocity never changes
 //   sampling_rate       warning  median step below 1 ms or above 1 s
 //   jitter, gap         note     steps of the stamps that are far from the median
-std::vector<Finding> CheckSanity(std::span<const Segment> segments,
-                                 Dof dof,
-                                 const std::string& force_unit);
+std::vector<Finding> CheckSignals(std::span<const Segment> segments,
+                                  Dof dof,
+                                  const std::string& force_unit);
 
 // The same for what is to be trained on.
-inline std::vector<Finding> CheckSanity(const Signals& signals) {
-  return CheckSanity(signals.train, signals.dof, signals.force_unit);
+inline std::vector<Finding> CheckSignals(const Signals& signals) {
+  return CheckSignals(signals.train, signals.dof, signals.force_unit);
 }
 
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/synthesize/effects/effect_list.h"
+#include "fathom/synthesize/effects/hidden_effects.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/synthesize/effects/unlisted_effects.h"
@@ -53,14 +53,14 @@ Experiment SurgeSwayYaw() {
 
 std::vector<ActiveEffect> Parse(const std::string& text, std::uint64_t seed = 1) {
   static const auto scales = ScalesOf(Probe(), SurgeSwayYaw(), 1);
-  return ParseEffectList(text, SurgeSwayYaw(), scales, seed);
+  return ParseHiddenEffects(text, SurgeSwayYaw(), scales, seed);
 }
 
 std::string MessageOf(const std::string& text) {
   return ErrorFrom([&] { Parse(text); });
 }
 
-TEST(EffectList, ReadsNamesValuesDofsAndPartners) {
+TEST(HiddenEffects, ReadsNamesValuesDofsAndPartners) {
   EXPECT_TRUE(Parse("").empty());
   const auto effects = Parse(
       "thruster_lag:time_constant=0.5,yaw.buoyancy_step:time=40:jump=-2.5,"
@@ -81,12 +81,12 @@ TEST(EffectList, ReadsNamesValuesDofsAndPartners) {
   EXPECT_EQ(Describe(effects[2]), "sway.velocity_coupling: coefficient = 3 kg/s, partner yaw");
 }
 
-TEST(EffectList, TakesTheRmsOfTheCommandAsReference) {
+TEST(HiddenEffects, TakesTheRmsOfTheCommandAsReference) {
   EXPECT_DOUBLE_EQ(Parse("thrust_curve")[0].setting.reference_force, 20.0);
   EXPECT_DOUBLE_EQ(Parse("yaw.thrust_curve")[0].setting.reference_force, 5.0);
 }
 
-TEST(EffectList, ChoosesAPartnerThatCanBeOne) {
+TEST(HiddenEffects, ChoosesAPartnerThatCanBeOne) {
   EXPECT_EQ(Parse("velocity_coupling")[0].setting.partner, Dof::kSway);
   EXPECT_EQ(Parse("yaw.velocity_coupling")[0].setting.partner, Dof::kSurge);
   EXPECT_EQ(Parse("lever_arm")[0].setting.partner, Dof::kYaw);
@@ -94,7 +94,7 @@ TEST(EffectList, ChoosesAPartnerThatCanBeOne) {
   EXPECT_EQ(Parse("sensor_misalignment")[0].setting.partner, Dof::kSway);
 }
 
-TEST(EffectList, DrawsWhatIsNotGivenFromItsOwnNumbers) {
+TEST(HiddenEffects, DrawsWhatIsNotGivenFromItsOwnNumbers) {
   const auto alone = Parse("buoyancy_step");
   EXPECT_EQ(Parse("buoyancy_step")[0].values, alone[0].values);
   EXPECT_EQ(Parse("thruster_lag,buoyancy_step")[1].values, alone[0].values);
@@ -103,7 +103,7 @@ TEST(EffectList, DrawsWhatIsNotGivenFromItsOwnNumbers) {
   EXPECT_THAT(Parse("buoyancy_step:time=33")[0].values, ElementsAre(alone[0].values[0], 33.0));
 }
 
-TEST(EffectList, SaysWhatThereIs) {
+TEST(HiddenEffects, SaysWhatThereIs) {
   EXPECT_THAT(MessageOf("thruster_lagg"),
               AllOf(HasSubstr("--effects: 'thruster_lagg' is no effect, expected one of "
                               "time_offset, thrust_dead_zone, "),
@@ -135,12 +135,12 @@ TEST(EffectList, SaysWhatThereIs) {
   EXPECT_THAT(MessageOf("thruster_lag:partner=yaw"), HasSubstr("sets no parameter"));
 }
 
-TEST(EffectList, RefusesToDrawFromNothing) {
+TEST(HiddenEffects, RefusesToDrawFromNothing) {
   std::array<Scales, 6> scales = {};
-  EXPECT_THAT([&] { ParseEffectList("cubic_damping", SurgeSwayYaw(), scales, 1); },
+  EXPECT_THAT([&] { ParseHiddenEffects("cubic_damping", SurgeSwayYaw(), scales, 1); },
               testing::ThrowsMessage<InputError>(HasSubstr("cubic_damping's coefficient cannot be "
                                                            "drawn")));
-  EXPECT_NO_THROW(ParseEffectList("cubic_damping:coefficient=3", SurgeSwayYaw(), scales, 1));
+  EXPECT_NO_THROW(ParseHiddenEffects("cubic_damping:coefficient=3", SurgeSwayYaw(), scales, 1));
 }
 
 // Every effect, listed or not, of the first DOF, with sizes from ten seeds.
@@ -164,7 +164,7 @@ TEST_P(DrawnSizes, ChangeTheLogVisiblyButDoNotDrownIt) {
   double least = 1e9, most = 0.0;
   for (int seed = 1; seed <= 10; ++seed) {
     const auto effects =
-        ParseEffectList(std::string(GetParam()->info().name), experiment, scales, seed);
+        ParseHiddenEffects(std::string(GetParam()->info().name), experiment, scales, seed);
     const Log log = Synthesize(vehicle, experiment, effects, 1);
     double change = 0.0;
     if (GetParam()->info().needs_pose) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/findings/sanity.h"
+#include "fathom/findings/signal_check.h"
 
 #include "fathom/log/log.h"
 #include "fathom/log/read_log.h"
@@ -44,12 +44,12 @@ Log SineLog(double delay, double force_sign = 1.0) {
   return log;
 }
 
-TEST(Sanity, FindsNothingInAVehicleThatBehaves) {
-  EXPECT_THAT(CheckSanity(SignalsOf(SineLog(0.0), Dof::kSurge)), IsEmpty());
+TEST(SignalCheck, FindsNothingInAVehicleThatBehaves) {
+  EXPECT_THAT(CheckSignals(SignalsOf(SineLog(0.0), Dof::kSurge)), IsEmpty());
 }
 
-TEST(Sanity, FindsAWrongSignOfTheForce) {
-  const auto findings = CheckSanity(SignalsOf(SineLog(0.0, -1.0), Dof::kSurge));
+TEST(SignalCheck, FindsAWrongSignOfTheForce) {
+  const auto findings = CheckSignals(SignalsOf(SineLog(0.0, -1.0), Dof::kSurge));
   EXPECT_THAT(findings, Has("passivity"));
   EXPECT_THAT(findings, Has("force_sign"));
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
@@ -59,57 +59,58 @@ TEST(Sanity, FindsAWrongSignOfTheForce) {
 }
 
 // 45 degrees of lag and 7.9 s of delay (135 degrees) make 180.
-TEST(Sanity, FindsADelayOfOverAQuarterPeriod) {
-  EXPECT_THAT(CheckSanity(SignalsOf(SineLog(7.9), Dof::kSurge)), Has("passivity"));
+TEST(SignalCheck, FindsADelayOfOverAQuarterPeriod) {
+  EXPECT_THAT(CheckSignals(SignalsOf(SineLog(7.9), Dof::kSurge)), Has("passivity"));
 }
 
-TEST(Sanity, IgnoresABuoyancyThatWorksAgainstTheForce) {
+TEST(SignalCheck, IgnoresABuoyancyThatWorksAgainstTheForce) {
   // A constant push down of 5 N while the vehicle drifts up: no sign error in what varies.
   Log log = SineLog(0.0);
   for (double& v : log.velocity->values[0]) v -= 0.5;
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kSurge)), Not(Has("passivity")));
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kSurge)), Not(Has("passivity")));
 }
 
-TEST(Sanity, FindsSpeedsThatCannotBe) {
+TEST(SignalCheck, FindsSpeedsThatCannotBe) {
   Log log = SineLog(0.0);
   for (double& v : log.velocity->values[0]) v *= 1000.0;  // mm/s
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kSurge)),
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kSurge)),
               Contains(AllOf(Field(&Finding::code, "speed_range"),
                              Field(&Finding::sentence, HasSubstr("m/s")))));
 }
 
-TEST(Sanity, NotesTurnsThatNoVehicleMakesButAMotorDoes) {
+TEST(SignalCheck, NotesTurnsThatNoVehicleMakesButAMotorDoes) {
   Log log = SineLog(0.0);
   log.command->columns = {"tau_yaw"};
   log.velocity->columns = {"r"};
   for (double& v : log.velocity->values[0]) v *= 1000.0;
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kYaw)),
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kYaw)),
               Contains(AllOf(Field(&Finding::code, "speed_range"),
                              Field(&Finding::severity, Severity::kNote),
                              Field(&Finding::sentence, HasSubstr("deg/s")))));
 }
 
-TEST(Sanity, FindsACommandAndAVelocityThatNeverChange) {
+TEST(SignalCheck, FindsACommandAndAVelocityThatNeverChange) {
   Log log = SineLog(0.0);
   for (double& tau : log.command->values[0]) tau = 3.0;
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kSurge)), Has("constant_command"));
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kSurge)), Has("constant_command"));
   for (double& v : log.velocity->values[0]) v = 0.0;
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kSurge)), Has("constant_velocity"));
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kSurge)), Has("constant_velocity"));
 }
 
-TEST(Sanity, FindsStampsThatAreNotSeconds) {
+TEST(SignalCheck, FindsStampsThatAreNotSeconds) {
   Log log = SineLog(0.0);
   for (double& t : log.command->time) t *= 1000.0;
   for (double& t : log.velocity->time) t *= 1000.0;
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kSurge, {.longest_gap = 1e6})), Has("sampling_rate"));
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kSurge, {.longest_gap = 1e6})),
+              Has("sampling_rate"));
 }
 
-TEST(Sanity, NotesJitterAndGaps) {
+TEST(SignalCheck, NotesJitterAndGaps) {
   Log log = SineLog(0.0);
   Stream& velocity = *log.velocity;
   velocity.time.erase(velocity.time.begin() + 500, velocity.time.begin() + 520);
   velocity.values[0].erase(velocity.values[0].begin() + 500, velocity.values[0].begin() + 520);
-  const auto findings = CheckSanity(SignalsOf(log, Dof::kSurge));
+  const auto findings = CheckSignals(SignalsOf(log, Dof::kSurge));
   EXPECT_THAT(findings, Has("jitter"));
   EXPECT_THAT(findings,
               Contains(AllOf(Field(&Finding::code, "gap"),
@@ -119,13 +120,13 @@ TEST(Sanity, NotesJitterAndGaps) {
 
 // Clean runs under a random command: a warning is an alarm, so a false one must be rare.
 // Samples at 10 Hz that arrive four at once are told; as many that are dropped are not.
-TEST(Sanity, FindsStampsThatCameInBatches) {
+TEST(SignalCheck, FindsStampsThatCameInBatches) {
   Log log = SineLog(0.0);
   std::vector<double>& time = log.velocity->time;
   for (std::size_t i = 0; i < time.size(); ++i) {
     time[i] = 0.4 * static_cast<double>(i / 4 + 1) + 0.01 * static_cast<double>(i % 4);
   }
-  const auto findings = CheckSanity(SignalsOf(log, Dof::kSurge));
+  const auto findings = CheckSignals(SignalsOf(log, Dof::kSurge));
   EXPECT_THAT(findings, Has("arrival_stamps"));
   EXPECT_THAT(findings, Not(Has("jitter")));
 
@@ -137,10 +138,10 @@ TEST(Sanity, FindsStampsThatCameInBatches) {
     sparse.values[0].push_back(dropped.velocity->values[0][i]);
   }
   dropped.velocity = sparse;
-  EXPECT_THAT(CheckSanity(SignalsOf(dropped, Dof::kSurge)), Not(Has("arrival_stamps")));
+  EXPECT_THAT(CheckSignals(SignalsOf(dropped, Dof::kSurge)), Not(Has("arrival_stamps")));
 }
 
-TEST(Sanity, RarelyWarnsWithoutReason) {
+TEST(SignalCheck, RarelyWarnsWithoutReason) {
   int num_warnings = 0;
   const int num_runs = 200;
   for (int seed = 0; seed < num_runs; ++seed) {
@@ -157,21 +158,21 @@ TEST(Sanity, RarelyWarnsWithoutReason) {
       segment.velocity.push_back(v + 0.05 * normal(generator));
       v += 0.1 * (tau - 30.0 * v) / 100.0;
     }
-    for (const Finding& finding : CheckSanity(std::vector<Segment>{segment}, Dof::kSurge, "N")) {
+    for (const Finding& finding : CheckSignals(std::vector<Segment>{segment}, Dof::kSurge, "N")) {
       num_warnings += finding.severity == Severity::kWarning;
     }
   }
   EXPECT_LE(num_warnings, num_runs / 100);
 }
 
-using SanityOfRealLogs = OnRealData;
+using SignalCheckOnRealLogs = OnRealData;
 
-TEST_F(SanityOfRealLogs, WarnsOfTheYawRunThatReturnsEnergy) {
+TEST_F(SignalCheckOnRealLogs, WarnsOfTheYawRunThatReturnsEnergy) {
   const Log log = ReadLog(folder_ / "lbv_yaw");
-  EXPECT_THAT(CheckSanity(SignalsOf(log, Dof::kYaw)), Has("passivity"));
+  EXPECT_THAT(CheckSignals(SignalsOf(log, Dof::kYaw)), Has("passivity"));
 }
 
-TEST_F(SanityOfRealLogs, DoesNotWarnOfTheOthers) {
+TEST_F(SignalCheckOnRealLogs, DoesNotWarnOfTheOthers) {
   const Log surge =
       ReadLog(folder_ / "lbv_surge",
               {.dof = std::nullopt, .velocity = folder_ / "lbv_surge" / "author_velocity.csv"});
@@ -179,7 +180,7 @@ TEST_F(SanityOfRealLogs, DoesNotWarnOfTheOthers) {
   for (const Signals& signals : {SignalsOf(surge, Dof::kSurge),
                                  SignalsOf(surge, Dof::kSurge, {.source = Source::kCamera}),
                                  SignalsOf(pool, Dof::kSurge)}) {
-    for (const Finding& finding : CheckSanity(signals)) {
+    for (const Finding& finding : CheckSignals(signals)) {
       EXPECT_EQ(finding.severity, Severity::kNote) << finding.sentence;
     }
   }
