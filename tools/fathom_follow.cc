@@ -9,6 +9,7 @@
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/output_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/plural.h"
 #include "fathom/tool/adaptive_flags.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/estimate_history.h"
@@ -22,6 +23,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -73,7 +75,8 @@ const ToolInfo kInfo = {
     "--gains has to be given. fathom_identify --family=adaptive --model=FILE chooses gains from a "
     "log and writes them into the file: provenance, gains.\n"
     "A state file belongs to its --dof, --gains and --integrator. Where a line is refused, the "
-    "state is that of the line before.",
+    "state is that of the line before. A stream that begins anew, as tail -n +1 -F prints it, is "
+    "passed over up to the last sample of the state.",
     {},
     {},
     "0: the last estimate is usable; 1: input or flags cannot be used; 2: the last estimate is not "
@@ -108,11 +111,7 @@ class FollowedStream {
   std::optional<FollowedEstimate> Next() {
     const std::optional<SampleLine> sample = ReadOrSave();
     if (!sample) return std::nullopt;
-    if (num_samples_++ == 0 && !lines_.not_read().empty()) {
-      PrintText(stderr,
-                fmt::format("stdin: further columns are not read: {}.\n",
-                            fmt::join(lines_.not_read(), ", ")));
-    }
+    if (num_samples_++ == 0) TellWhatIsNotRead();
     return follower_.Add(sample->t, sample->force, sample->velocity);
   }
 
@@ -126,8 +125,23 @@ class FollowedStream {
   }
 
   bool has_samples() const { return num_samples_ > 0; }
+  bool has_passed_over_all() const { return num_samples_ == 0 && lines_.num_passed_over() > 0; }
 
  private:
+  void TellWhatIsNotRead() const {
+    if (!lines_.not_read().empty()) {
+      PrintText(stderr,
+                fmt::format("stdin: further columns are not read: {}.\n",
+                            fmt::join(lines_.not_read(), ", ")));
+    }
+    if (lines_.num_passed_over() > 0) {
+      PrintText(stderr,
+                fmt::format("stdin: {} passed over, up to the last one of {}.\n",
+                            Plural(static_cast<std::size_t>(lines_.num_passed_over()), "sample"),
+                            FLAGS_state));
+    }
+  }
+
   // What was taken before a line that cannot be used is kept.
   std::optional<SampleLine> ReadOrSave() {
     try {
@@ -233,6 +247,9 @@ int Run() {
     if (!Print(FLAGS_json ? EstimateJsonLine(last, dof) : EstimateCsvLine(last))) break;
     stream.SaveIfDue();
     page.Add(last);
+  }
+  if (stream.has_passed_over_all()) {
+    throw InputError(fmt::format("stdin: holds no sample behind the last one of {}.", FLAGS_state));
   }
   if (!stream.has_samples()) throw InputError("stdin: holds no sample, expected lines t,tau,v.");
   stream.Save();

@@ -240,7 +240,7 @@ PlanRequest RequestFromFlags(const std::string& file, const std::optional<Vehicl
   const OpenCauses open = ReadOpenCauses(file, text, request.model);
   for (const std::string& line : open.left_out) PrintText(stderr, "fathom_plan: " + line + "\n");
   request.rivals = open.rivals;
-  if (open.scatter > 0.0) request.model.train.mae = open.scatter;
+  if (open.noise > 0.0) request.model.train.mae = open.noise;
   return request;
 }
 

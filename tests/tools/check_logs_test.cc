@@ -28,7 +28,7 @@ TEST_F(CheckTool, ListsAnArchive) {
   const ToolRun run = RunToolBinary("fathom_check", {Flag("archive", folder_ / "archive")});
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_THAT(run.out, HasSubstr("lost_values"));
-  EXPECT_THAT(run.out, ContainsRegex("\nbroken is not readable: .*log.yaml:2: "));
+  EXPECT_THAT(run.out, ContainsRegex("\nbroken cannot be read as a log: .*log.yaml:2: "));
   EXPECT_THAT(run.out, ContainsRegex("sound +surge +- +-\n"));
 }
 

@@ -186,8 +186,35 @@ TEST(FollowTool, KeepsWhatCameBeforeABadLine) {
   const ToolRun again = RunToolBinaryOn(back, "fathom_follow", flags);
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_THAT(again.err,
-              HasSubstr("stdin:1: column 't' does not rise from 0.1 in " + state.string() +
-                        " to 0.1, expected rising stamps."));
+              HasSubstr("stdin: holds no sample behind the last one of " + state.string()));
+}
+
+TEST(FollowTool, GoesOnWhereAStreamBeginsAnew) {
+  const Path folder = EmptyTestFolder();
+  const auto lines = LinesOf(SmallSingleCsv());
+  std::string first, all;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    if (i < 250) first += lines[i] + "\n";
+    all += lines[i] + "\n";
+  }
+  const auto flags = And(kSmallFlags, Flag("state", folder / "state.json"));
+  RunToolBinaryOn(WriteTestFile(folder / "first.csv", first), "fathom_follow", flags);
+  const Path whole = WriteTestFile(folder / "all.csv", all);
+  const ToolRun anew = RunToolBinaryOn(whole, "fathom_follow", flags);
+  const ToolRun at_once = RunToolBinaryOn(whole, "fathom_follow", kSmallFlags);
+  ASSERT_EQ(anew.exit_code, 0) << anew.err;
+  EXPECT_EQ(LinesOf(anew.out).back(), LinesOf(at_once.out).back());
+  EXPECT_THAT(anew.err, HasSubstr("stdin: 249 samples passed over, up to the last one of "));
+}
+
+TEST(FollowTool, RefusesAnotherStreamThanThatOfItsState) {
+  const Path folder = EmptyTestFolder();
+  const auto flags = And(kSmallFlags, Flag("state", folder / "state.json"));
+  RunToolBinaryOn(WriteTestFile(folder / "a.csv", "0,1,0\n0.1,1,0.02\n"), "fathom_follow", flags);
+  const Path other = WriteTestFile(folder / "b.csv", "0,1,0\n0.07,1,0.02\n0.14,1,0.03\n");
+  const ToolRun run = RunToolBinaryOn(other, "fathom_follow", flags);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("stdin:3: column 't' goes from 0.07 to 0.14 and leaves out 0.1"));
 }
 
 TEST(FollowTool, WritesItsStateOnTheWay) {

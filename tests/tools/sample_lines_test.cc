@@ -82,11 +82,25 @@ TEST(SampleLines, RefuseStampsThatDoNotRise) {
   EXPECT_EQ(back.problem, "stdin:2: column 't' goes back from 3 to 2.5, expected rising stamps.");
   EXPECT_EQ(Take("3,1,2\n3,1,2\n").problem,
             "stdin:2: column 't' does not rise from 3 to 3, expected rising stamps.");
+}
+
+TEST(SampleLines, PassOverAStreamUpToWhereTheyGoOn) {
+  std::istringstream in("4,1,2\n5,1,2\n5.5,1,2\n6,1,2\n7,1,2\n");
+  SampleLines lines("stdin", &in);
+  lines.GoOnBehind(5.5, "s.json");
+  EXPECT_EQ(lines.Next()->t, 6.0);
+  EXPECT_EQ(lines.num_passed_over(), 3);
+  EXPECT_EQ(lines.Next()->t, 7.0);
+  EXPECT_FALSE(lines.Next());
+}
+
+TEST(SampleLines, RefuseToGoOnInAnotherStream) {
   std::istringstream in("5,1,2\n6,1,2");
   SampleLines lines("stdin", &in);
   lines.GoOnBehind(5.5, "s.json");
   EXPECT_EQ(ErrorFrom([&] { lines.Next(); }),
-            "stdin:1: column 't' goes back from 5.5 in s.json to 5, expected rising stamps.");
+            "stdin:2: column 't' goes from 5 to 6 and leaves out 5.5, the last stamp of s.json. "
+            "Expected the same stream again, or one that begins behind it.");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::string FormatCheckedLogs(const std::vector<CheckedLog>& logs, TableFormat f
   std::string text = format(CheckedLogsTable(logs));
   for (const CheckedLog& log : logs) {
     if (!log.message.empty())
-      text += fmt::format("{} is not readable: {}\n", log.path, log.message);
+      text += fmt::format("{} cannot be read as a log: {}\n", log.path, log.message);
   }
   return text;
 }

@@ -130,7 +130,7 @@ std::string Verdict(const LogCheckup& checkup) {
       "Nothing speaks against a model of {} from this log{}.{}{}",
       Listed(good),
       unknown.empty() ? "" : fmt::format(", but it leaves {} unknown", Listed(unknown)),
-      poor.empty() ? "" : fmt::format(" One of {} fits poorly.", Listed(poor)),
+      poor.empty() ? "" : fmt::format(" A model of {} fits poorly.", Listed(poor)),
       of_driven);
 }
 

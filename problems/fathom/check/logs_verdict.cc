@@ -133,7 +133,7 @@ std::string LogsVerdict(std::span<const CheckedLog> logs, std::span<const DofOfL
       dofs, [](const DofOfLogs& of_dof) { return Disagreements(of_dof).empty(); });
   if (against.empty()) {
     return agree ? fmt::format("Nothing speaks against these {} logs.", logs.size())
-                 : fmt::format("Nothing speaks against each of these {} logs, but they disagree.",
+                 : fmt::format("Nothing speaks against any of these {} logs, but they disagree.",
                                logs.size());
   }
   if (!agree) against.emplace_back("the logs disagree");

@@ -150,6 +150,21 @@ std::optional<std::string> UnitFin(const CoupledLogs& logs, const std::vector<Do
   return std::nullopt;
 }
 
+// A caveat on the DOFs of which free runs miss much; empty where there is none.
+std::string CaveatOnPoorFit(const FittedCoupledModel& fitted) {
+  std::vector<std::string> poor;
+  for (const Dof dof : fitted.model.dofs) {
+    const auto row = static_cast<std::size_t>(Index(dof));
+    const double nmae = fitted.train[row].nmae;
+    if (nmae > kPoorFit) poor.push_back(fmt::format("{:.0f} % of {}", 100.0 * nmae, Name(dof)));
+  }
+  if (poor.empty()) return "";
+  return fmt::format(
+      "The fit is poor: simulated from the command alone, it misses {}. Check the warnings first. "
+      "Then run fathom_diagnose --dofs on these logs: it looks for what the model lacks.",
+      fmt::join(poor, ", "));
+}
+
 }  // namespace
 
 CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
@@ -265,6 +280,9 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   }
   fitted.train = prediction->train;
   fitted.held_out = prediction->held_out;
+  if (auto caveat = CaveatOnPoorFit(fitted); !caveat.empty()) {
+    fitted.caveats.push_back(std::move(caveat));
+  }
   identified.prediction = std::move(*prediction);
   if (identified.ladder && identified.ladder->rungs.front().fit.converged) {
     CoupledModel diagonal = identified.ladder->rungs.front().fit.model;

@@ -141,7 +141,7 @@ std::string LadderSentence(const Ladder& ladder) {
   const bool has_won = std::ranges::any_of(ladder.rungs, [](const LadderRung& rung) {
     return rung.name == "coriolis" && rung.is_accepted;
   });
-  if (has_won) text += " C(nu) is in the data.";
+  if (has_won) text += " The Coriolis forces C(nu) are in the data.";
   if (ladder.named.empty()) return text + " The data show no number beyond it.\n";
   std::vector<std::string> names;
   for (const NamedEntry& named : ladder.named) names.push_back(Named(named));

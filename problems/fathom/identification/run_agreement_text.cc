@@ -16,6 +16,7 @@ namespace fathom {
 namespace {
 
 constexpr double kWorthTelling = 1.2;  // of a widening
+constexpr double kDisagree = 0.0025;   // p-value: of four parameters one in a hundred
 
 std::string NameOf(int parameter) {
   std::string name(kParameterInfo[parameter].name);
@@ -64,6 +65,17 @@ std::vector<std::string> RemarksOn(const RunAgreement& agreement, const Paramete
         fmt::format("The runs differ by more than their own intervals say. The intervals of all "
                     "runs together are widened: {}.",
                     fmt::join(widened, ", ")));
+  }
+  std::vector<std::string> disagreeing;
+  for (int i = 0; i < kNumParameters; ++i) {
+    const Spread& spread = agreement.spreads[i];
+    if (spread.freedom > 0 && spread.p_value < kDisagree) disagreeing.push_back(NameOf(i));
+  }
+  if (widened.empty() && !disagreeing.empty()) {
+    remarks.push_back(
+        fmt::format("The runs disagree on the {}, each by itself: one vehicle would give such "
+                    "values less than once in 400. Look at what was different.",
+                    fmt::join(disagreeing, " and the ")));
   }
   if (!agreement.stands_apart.empty()) {
     remarks.push_back(

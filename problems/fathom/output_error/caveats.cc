@@ -94,6 +94,11 @@ void DescribeWandering(OutputErrorSummary* summary) {
       correlation));
 }
 
+std::string TwoDigits(double value) {
+  if (value == 0.0 || !std::isfinite(value)) return fmt::format("{}", value);
+  return RoundedAt(value, 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+}
+
 }  // namespace
 
 std::string CaveatOnDamping(int parameter, double value, double std) {
@@ -116,12 +121,12 @@ std::string CaveatOnDelay(const HeldCommand& command, const DelayDoubt& doubt) {
   const bool is_known = std::isfinite(doubt.half_width_with_delay);
   const std::string change = fmt::format(
       "The values hold only if there is no delay. One second of delay would change the inertia by "
-      "{:.2g} and the linear damping by {:.2g}. With an unknown delay the inertia {}.",
-      doubt.inertia_per_second,
-      doubt.linear_damping_per_second,
-      is_known ? fmt::format("is known to ± {:.2g} and not to ± {:.2g} (95 %)",
-                             doubt.half_width_with_delay,
-                             doubt.half_width)
+      "{} and the linear damping by {}. With an unknown delay the inertia {}.",
+      TwoDigits(doubt.inertia_per_second),
+      TwoDigits(doubt.linear_damping_per_second),
+      is_known ? fmt::format("is known to ± {} and not to ± {} (95 %)",
+                             TwoDigits(doubt.half_width_with_delay),
+                             TwoDigits(doubt.half_width))
                : std::string("is not determined"));
   if (!is_sine && is_known) {
     return change +

@@ -14,6 +14,8 @@
 namespace fathom {
 namespace {
 
+constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis
+
 // Of an alternative, which stands under `candidates` too; nothing if it has no numbers there.
 std::optional<ActiveEffect> EffectOfCandidate(const JsonValue& candidate, Dof dof) {
   ActiveEffect active = ReadSetEffect(candidate, dof);
@@ -88,7 +90,8 @@ OpenCauses ReadOpenCauses(const std::string& name,
   const JsonValue file = JsonValue::Parse(name, text);
   const std::vector<JsonValue> causes = AmbiguousCauses(file);
   if (causes.empty()) return open;
-  open.scatter = file.NumberIfThere("noise_nmae") * fitted.train.mae / fitted.train.nmae;
+  const double scatter = file.NumberIfThere("noise_nmae") * fitted.train.mae / fitted.train.nmae;
+  open.noise = fitted.train.mae > kMissesMotion * scatter ? fitted.train.mae : scatter;
   const std::vector<JsonValue> candidates = file.Member("candidates").List();
   std::string leader;
   for (const JsonValue& cause : causes) {

@@ -19,9 +19,11 @@ struct OpenCauses {
   // The verdict's own model, and one for each alternative that an experiment along this DOF can
   // tell from it; none where there is no alternative.
   std::vector<RivalModel> rivals;
-  // Mean size of what scatters from sample to sample in the velocity, [m/s] or [rad/s]; NaN where
-  // the file does not tell. The free run of a cause that is wrong misses by more.
-  double scatter = std::numeric_limits<double>::quiet_NaN();
+  // Mean size of the velocity's noise, [m/s] or [rad/s]; NaN where the file does not tell. It is
+  // what scatters from sample to sample: the free run of a cause that is wrong misses by more.
+  // Where the leading cause misses over three times that, something else is missing too, and it is
+  // all of that.
+  double noise = std::numeric_limits<double>::quiet_NaN();
 
   std::vector<std::string> left_out;  // the other alternatives, with the reason: a sentence each
 };

@@ -56,6 +56,9 @@ PlanLimits ParsePlanLimits(const std::string& name, const std::string& text) {
   limits.force = Positive(file, "force");
   limits.speed = LimitOf(file, "speed");
   limits.thruster_force = LimitOf(file, "thruster_force");
+  if (file.Has("distance") && !file.HoldsMap("distance")) {
+    file.Fail("distance", "is one value, expected one each way, in m: {back: 8, ahead: 8}.");
+  }
   if (const auto distance = file.OptionalMap("distance")) {
     limits.distance = {-LimitOf(*distance, "back"), LimitOf(*distance, "ahead")};
   }

@@ -101,6 +101,27 @@ bool IsDriven(const Log& log, Dof dof) {
          std::ranges::any_of(*force, [&](double f) { return f != (*force)[0]; });
 }
 
+bool IsDriven(std::span<const Log> logs, Dof dof) {
+  return std::ranges::any_of(logs, [&](const Log& log) { return IsDriven(log, dof); });
+}
+
+// What moves the others where one DOF of several alone is driven?
+std::optional<Finding> CheckUndriven(std::span<const Log> logs, const std::vector<Dof>& dofs) {
+  const bool has_surfaces =
+      std::ranges::any_of(logs, [](const Log& log) { return log.fins || log.shafts; });
+  std::vector<std::string_view> undriven;
+  for (const Dof dof : dofs) {
+    if (!IsDriven(logs, dof)) undriven.push_back(Name(dof));
+  }
+  if (has_surfaces || undriven.size() < 2 || undriven.size() + 1 < dofs.size()) return std::nullopt;
+  return Finding{Severity::kWarning,
+                 "undriven",
+                 fmt::format("No command acts on {}: what moves the vehicle there is not in the "
+                             "log. Name a rudder's angle fin_NAME [rad] in command.csv "
+                             "(docs/fins.md), or leave these out of --dofs.",
+                             fmt::join(undriven, ", "))};
+}
+
 std::vector<Finding> CheckOneDof(std::span<const Log> logs, Dof dof, bool is_of_several) {
   std::vector<Finding> findings;
   std::vector<Segment> segments;
@@ -140,15 +161,14 @@ std::vector<Finding> CheckLogs(std::span<const Log> logs, Dof dof) {
 std::vector<Finding> CheckLogs(std::span<const Log> logs, const std::vector<Dof>& dofs) {
   std::vector<Finding> findings;
   for (const Log& log : logs) Add(OfLog(log, logs.size(), CheckPoseAgainstTwist(log)), &findings);
+  if (auto finding = CheckUndriven(logs, dofs)) findings.push_back(*std::move(finding));
   for (const Dof dof : dofs) {
     const bool can_be_checked = std::ranges::all_of(logs, [&](const Log& log) {
       return log.command && log.command->Find(ForceColumn(dof)) != nullptr &&
              !SourcesOf(log, dof).empty();
     });
     // Couplings move a DOF that nothing drives.
-    const bool is_driven =
-        std::ranges::any_of(logs, [&](const Log& log) { return IsDriven(log, dof); });
-    if (!can_be_checked || !is_driven) continue;
+    if (!can_be_checked || !IsDriven(logs, dof)) continue;
     for (Finding& finding : CheckOneDof(logs, dof, dofs.size() > 1)) {
       const bool is_known = std::ranges::any_of(findings, [&](const Finding& known) {
         return known.code == finding.code && known.sentence == finding.sentence;

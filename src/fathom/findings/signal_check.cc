@@ -30,6 +30,7 @@ constexpr double kLongestStep = 1.0;      // [s]
 constexpr double kJitter = 0.3;           // of the median step
 constexpr double kGap = 5.0;              // median steps
 constexpr double kPowerErrors = 3.0;      // standard errors below zero
+constexpr double kSteadyDrive = 10.0;     // times that power, with the means: no wrong sign
 constexpr double kSignErrors = 4.0;       // the same for the slope,
 constexpr double kSignCorrelation = 0.2;  // with a correlation of at least this
 constexpr int kMaxNoiseOrder = 60;
@@ -82,13 +83,27 @@ void CheckPassivity(const Samples& samples, const std::string& unit, Findings* f
   const double mean = (power * samples.step).sum() / duration;
   const double error = ErrorOfMean(power);
   if (!(mean < -kPowerErrors * error)) return;
+  const double total = (samples.force * samples.velocity * samples.step).sum() / duration;
+  const std::string what = fmt::format(
+      "The mean power of force times velocity, each about its mean, is {:.3g} {} ± {:.1g}.",
+      mean,
+      unit,
+      kStdsOf95 * error);
+  if (total > kSteadyDrive * -mean) {
+    Note("passivity",
+         fmt::format("{} With the means it is {:.3g} {}: the force drives the vehicle, which is "
+                     "slower where the force is larger. Turns and waves that slow it down do that, "
+                     "and a propeller, which pushes more the slower it moves.",
+                     what,
+                     total,
+                     unit),
+         findings);
+    return;
+  }
   Warn("passivity",
-       fmt::format("The mean power of force times velocity, each about its mean, is {:.3g} {} ± "
-                   "{:.1g}. A passive vehicle cannot return energy. The cause may be a wrong "
-                   "sign or frame, a delay of over a quarter period, or an external drive.",
-                   mean,
-                   unit,
-                   kStdsOf95 * error),
+       fmt::format("{} A passive vehicle cannot return energy. The cause may be a wrong sign or "
+                   "frame, a delay of over a quarter period, or an external drive.",
+                   what),
        findings);
 }
 

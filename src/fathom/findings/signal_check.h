@@ -15,7 +15,8 @@ namespace fathom {
 
 // What is odd about the data before any fit; docs/findings.md. Cheap.
 //
-//   passivity           warning  force and velocity give a mean power below zero
+//   passivity           warning  force and velocity, about their means, give a mean power below
+//                                zero; a note where it is far above zero with the means
 //   force_sign          warning  force and acceleration oppose each other at equal velocity
 //   speed_range         warning  speeds over 20 m/s; a note for turns over 20 rad/s
 //   pulse_widths        warning  the force is a pulse width of 800 to 2200 us (pulse_widths.h)

@@ -6,10 +6,12 @@
 #include "fathom/base/input_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -76,6 +78,12 @@ CsvTable ParsePose(const std::string& name, const std::string& text) {
   CsvSpec spec;
   spec.at_least_one_of = {"x", "y", "z", "qx", "qy", "qz", "qw"};
   CsvTable table = ParseCsvTable(name, text, spec);
+  // Those of a trajectory file, which is for other readers.
+  constexpr std::array<std::string_view, 6> kDeviations = {
+      "sx", "sy", "sz", "sroll", "spitch", "syaw"};
+  std::erase_if(table.not_read, [&](const std::string& column) {
+    return std::ranges::find(kDeviations, column) != kDeviations.end();
+  });
   const auto has = [&](const char* column) { return table.stream.Find(column) != nullptr; };
   if (has("x") || has("y")) RequireColumns(name, table.stream, {"x", "y", "z"}, "a position");
   if (!has("qx") && !has("qy") && !has("qz") && !has("qw")) return table;

@@ -67,6 +67,32 @@ class Fitting {
     return search_.From(structure, structure.Parameters(start), options_.precision);
   }
 
+  // Noise that is coloured over hardly more than a sample, beside nearly no white noise, is about
+  // white noise: a maximum of its own, from which no step leads to the other. Goes over to that one
+  // where it is likelier.
+  Result LikelierInWhite(Result found) {
+    const NoiseModel model = found.structure.Model(found.best.parameters);
+    std::optional<NoiseSearch::Point> start;
+    for (SensorNoise NoiseModel::*sensor : {&NoiseModel::velocity, &NoiseModel::displacement}) {
+      const SensorNoise& noise = model.*sensor;
+      const bool is_nearly_white = noise.coloured.IsPresent() &&
+                                   noise.coloured.time < 3.0 * sampling_.median_step &&
+                                   noise.white_std < 0.3 * noise.coloured.std;
+      if (!is_nearly_white) continue;
+      for (const double share : {1.0, 0.8, 0.6}) {
+        NoiseModel white = model;
+        (white.*sensor).white_std = share * noise.coloured.std;
+        (white.*sensor).coloured.std *= 0.01;
+        NoiseSearch::Point point = search_.At(found.structure, found.structure.Parameters(white));
+        const bool is_likelier = !start || point.value.log_likelihood > start->value.log_likelihood;
+        if (is_likelier) start = std::move(point);
+      }
+    }
+    if (!start) return found;
+    Result other = search_.From(found.structure, start->parameters, options_.precision);
+    return other.log_likelihood() > found.log_likelihood() ? other : found;
+  }
+
  private:
   NoiseStructure Structure(std::vector<NoiseComponent> components) const {
     return {sampling_, std::move(components), options_.damping_rate, options_.longest_time};
@@ -205,7 +231,8 @@ NoiseFit FitNoise(std::span<const NoiseSample> samples,
     return fit;
   }
   Fitting fitting(likelihood, sampling, options);
-  const Result result = options.start ? fitting.FromModel(*options.start) : fitting.FromNothing();
+  Result result = options.start ? fitting.FromModel(*options.start) : fitting.FromNothing();
+  if (options.is_thorough) result = fitting.LikelierInWhite(std::move(result));
   fit.converged = result.converged && std::isfinite(result.log_likelihood());
   fit.message = fit.converged ? "Converged." : "No maximum of the likelihood was reached.";
   fit.model = Scaled(result.structure.Model(result.best.parameters), result.best.value.factor);

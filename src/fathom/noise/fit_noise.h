@@ -40,6 +40,10 @@ struct FitNoiseOptions {
   // that follow one another; several times faster.
   std::optional<NoiseModel> start;
 
+  // Whether colour of hardly more than a sample is tried as white noise too, which is a maximum of
+  // its own.
+  bool is_thorough = false;
+
   // One line for each rule that is broken; empty if these options can be used.
   std::vector<std::string> Problems() const;
 };

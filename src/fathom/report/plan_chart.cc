@@ -20,7 +20,7 @@
 namespace fathom {
 namespace {
 
-constexpr double kPlanWidth = 900.0, kPlanLeft = 58.0, kPlanRight = 10.0;  // [px]
+constexpr double kPlanWidth = 900.0, kPlanLeft = 58.0, kPlanRight = 24.0;  // [px]
 constexpr double kPlanTop = 10.0, kPlanBottom = 40.0;
 constexpr double kLeastHeight = 120.0, kMostHeight = 560.0;  // of what is inside the axes
 constexpr double kPlanMargin = 0.05;                         // of the larger range
@@ -85,25 +85,30 @@ std::string Text(
                      HtmlText(text));
 }
 
+double StepOf(const std::vector<double>& ticks) {
+  return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+}
+
 std::string PlanAxesSvg(const PlanFrame& frame) {
   const double right = kPlanWidth - kPlanRight, bottom = kPlanTop + frame.Height();
   // One distance for both directions: squares.
   const ChartRange& longer =
       frame.Height() > kPlanWidth - kPlanLeft - kPlanRight ? frame.starboard : frame.ahead;
-  const std::vector<double> ticks = TicksOf(longer);
   // About as many again: the frame is wider than those of other charts.
-  const double step = 0.5 * (ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0);
+  const double step = 0.5 * StepOf(TicksOf(longer));
   std::string svg;
   for (double at = std::ceil(frame.ahead.from / step) * step; at <= frame.ahead.to; at += step) {
     const double shown = std::abs(at) < 1e-9 * step ? 0.0 : at;
     svg += LineSvg("grid", frame.Left(at), kPlanTop, frame.Left(at), bottom);
     svg += Text("", frame.Left(at), bottom + 15.0, "middle", TickLabel(shown, step));
   }
-  const double first = std::ceil(frame.starboard.from / step) * step;
-  for (double at = first; at <= frame.starboard.to; at += step) {
-    const double shown = std::abs(at) < 1e-9 * step ? 0.0 : at;
+  // A flat frame has smaller steps across: one number alone would tell no distance.
+  const double step_across = std::min(step, StepOf(TicksOf(frame.starboard)));
+  const double first = std::ceil(frame.starboard.from / step_across) * step_across;
+  for (double at = first; at <= frame.starboard.to; at += step_across) {
+    const double shown = std::abs(at) < 1e-9 * step_across ? 0.0 : at;
     svg += LineSvg("grid", kPlanLeft, frame.Top(at), right, frame.Top(at));
-    svg += Text("", kPlanLeft - 6.0, frame.Top(at) + 4.0, "end", TickLabel(shown, step));
+    svg += Text("", kPlanLeft - 6.0, frame.Top(at) + 4.0, "end", TickLabel(shown, step_across));
   }
   svg += Text("", 0.5 * (kPlanLeft + right), bottom + 33.0, "middle", "ahead [m]");
   const double middle = kPlanTop + 0.5 * frame.Height();

@@ -179,14 +179,15 @@ Motion MotionIn(const SampleRange& range,
 
 // What the filter is for, and its window.
 std::string WindowRemark(double window, const SignalsOptions& options, double step) {
-  return fmt::format("{}: window {:.3g} s (about {:.0f} samples), order {}, {}.",
-                     options.source == Source::kPoseEstimator
-                         ? "A Savitzky-Golay filter gives least squares its accelerations"
-                         : "A Savitzky-Golay filter makes velocities of the poses",
-                     window,
-                     std::floor(window / step) + 1,
-                     options.order,
-                     options.window > 0.0 ? "as given" : "chosen by cross-validation");
+  return fmt::format(
+      "{}: window {:.3g} s (about {:.0f} samples), order {}, {}.",
+      options.source == Source::kPoseEstimator
+          ? "A Savitzky-Golay filter gives least squares, where fits begin, its accelerations"
+          : "A Savitzky-Golay filter makes velocities of the poses",
+      window,
+      std::floor(window / step) + 1,
+      options.order,
+      options.window > 0.0 ? "as given" : "chosen by cross-validation");
 }
 
 void AddTo(std::vector<std::string>* remarks, const std::vector<std::string>& more) {

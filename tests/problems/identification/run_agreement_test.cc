@@ -57,6 +57,15 @@ TEST(AgreementOf, NamesTheRunThatStandsApart) {
           HasSubstr("run_3 stands apart")));
 }
 
+// Chi-square 18 with one degree of freedom. The intervals of the joint fit hold that already.
+TEST(RemarksOnRuns, TellThatTheyDisagreeWhereNoIntervalIsWidened) {
+  const RunAgreement agreement = AgreementOf({RunOf("a", 10.0, 1.0), RunOf("b", 16.0, 1.0)});
+  EXPECT_THAT(RemarksOn(agreement, ParameterVector::Ones()),
+              ElementsAre(HasSubstr("The runs disagree on the inertia, each by itself")));
+  const RunAgreement near = AgreementOf({RunOf("a", 10.0, 1.0), RunOf("b", 13.0, 1.0)});
+  EXPECT_THAT(RemarksOn(near, ParameterVector::Ones()), IsEmpty());
+}
+
 TEST(AgreementOf, PassesOverRunsThatDetermineNothing) {
   RunEstimate unusable;
   unusable.log = "short";

@@ -58,7 +58,7 @@ TEST(OpenCauses, AreTheCauseAndWhatThisDofCanTellFromIt) {
                 "buoyancy_step is left out: it belongs to one run: any new run tells.",
                 "velocity_coupling(sway) is left out: it needs another DOF to move."}));
   // 0.04 of the mean speed, which is 0.01 / 0.05 m/s.
-  EXPECT_NEAR(open.scatter, 0.008, 1e-12);
+  EXPECT_NEAR(open.noise, 0.008, 1e-12);
 }
 
 TEST(OpenCauses, AreNoneUnlessTheVerdictIsAmbiguous) {
@@ -69,6 +69,12 @@ std::string Changed(std::string text, const std::string& what, const std::string
   const auto at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
   return text.replace(at, what.size(), by);
+}
+
+// The model misses 0.05 of the mean speed, five times the scatter: another cause is missing.
+TEST(OpenCauses, TakeAllThatTheModelMissesForNoiseWhereThatIsFarAboveTheScatter) {
+  const std::string text = Changed(VerdictText("ambiguous"), "0.04", "0.01");
+  EXPECT_NEAR(ReadOpenCauses("v.json", text, LaggingModel()).noise, 0.01, 1e-12);
 }
 
 // As in the causes of a verdict: a force to divide by, a partner that is another DOF.

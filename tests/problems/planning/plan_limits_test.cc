@@ -51,6 +51,9 @@ TEST(PlanLimits, NameFileLineAndKeyOfWhatCannotBe) {
   EXPECT_EQ(
       RefusalOf("force: 5\ndistance: {ahead: 0}\n").find("tank.yaml:2: key 'distance.ahead' is "),
       0U);
+  EXPECT_EQ(RefusalOf("force: 5\ndistance: 8\n")
+                .find("tank.yaml:2: key 'distance' is one value, expected one each way"),
+            0U);
   EXPECT_NE(RefusalOf("force: 5\nspede: 1\n").find("spede"), std::string::npos);
 }
 

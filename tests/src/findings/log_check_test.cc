@@ -96,6 +96,25 @@ TEST(LogCheck, NamesTheDofOfSeveral) {
   EXPECT_THAT(sentences, ElementsAre(testing::StartsWith("yaw: The mean power")));
 }
 
+TEST(LogCheck, SaysAtOnceThatNothingDrivesTheOthersOfSeveralDofs) {
+  Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
+  const std::vector<Dof> dofs = {Dof::kSurge, Dof::kSway, Dof::kYaw};
+  const auto undriven = [&] {
+    std::vector<std::string> sentences;
+    for (const Finding& finding : CheckLogs({&log, 1}, dofs)) {
+      if (finding.code == "undriven") sentences.push_back(finding.sentence);
+    }
+    return sentences;
+  };
+  EXPECT_THAT(undriven(), ::testing::IsEmpty());  // surge and yaw are driven
+  const std::vector<double> surge = *log.command->Find("tau_surge");
+  log.command->columns = {"tau_surge"};
+  log.command->values = {surge};
+  EXPECT_THAT(undriven(), ElementsAre(testing::StartsWith("No command acts on sway, yaw: ")));
+  log.fins = Stream{.time = log.command->time, .columns = {"fin_rudder"}, .values = {surge}};
+  EXPECT_THAT(undriven(), ::testing::IsEmpty());
+}
+
 void AddRuns(const fs::path& folder, std::vector<fs::path>* places) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (fs::exists(entry.path() / "log.yaml")) places->push_back(entry.path());

@@ -58,6 +58,20 @@ TEST(SignalCheck, FindsAWrongSignOfTheForce) {
   EXPECT_THAT(findings[0].sentence, HasSubstr("is -0.84"));
 }
 
+// Driven along by 45 N at 1 m/s, a ship slows down in turns, and its propeller then pushes more.
+TEST(SignalCheck, OnlyNotesAForceThatRisesWhereTheVehicleSlowsDown) {
+  Log log = SineLog(0.0, -1.0);
+  for (double& force : log.command->values[0]) force += 40.0;
+  for (double& v : log.velocity->values[0]) v += 1.0;
+  const auto findings = CheckSignals(SignalsOf(log, Dof::kSurge));
+  ASSERT_THAT(findings, Has("passivity"));
+  for (const Finding& finding : findings) {
+    if (finding.code != "passivity") continue;
+    EXPECT_EQ(finding.severity, Severity::kNote);
+    EXPECT_THAT(finding.sentence, HasSubstr("is -0.84"));
+  }
+}
+
 // 45 degrees of lag and 7.9 s of delay (135 degrees) make 180.
 TEST(SignalCheck, FindsADelayOfOverAQuarterPeriod) {
   EXPECT_THAT(CheckSignals(SignalsOf(SineLog(7.9), Dof::kSurge)), Has("passivity"));

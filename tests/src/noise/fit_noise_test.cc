@@ -111,6 +111,30 @@ TEST(FitNoise, RecoversBothChannelsAtOnce) {
   EXPECT_GT(fit.log_likelihood, Whitener(truth, samples).LogLikelihood(Span(e)));
 }
 
+// Positions with white noise, begun as if it were coloured over one sample: white noise that is
+// nearly absent has no slope towards more of it.
+TEST(FitNoise, FindsWhiteNoiseThatItTookForShortColour) {
+  NoiseModel truth = Disturbed();
+  truth.displacement.white_std = 0.005;
+  std::vector<NoiseSample> samples;
+  for (int i = 0; i < 900; ++i) {
+    samples.push_back({.time = 0.3 * i});
+    samples.push_back({.time = 0.3 * i, .channel = NoiseChannel::kDisplacement});
+  }
+  const Eigen::VectorXd e = DenseDraws(truth, samples, 7).Draw();
+  FitNoiseOptions options;
+  options.start = truth;
+  options.start->displacement = {.white_std = 1e-5, .coloured = {.std = 0.005, .time = 0.3}};
+  const auto fitted = [&] { return FitNoise(samples, Span(e), NoDesign(samples.size()), options); };
+  const double of_truth = Whitener(truth, samples).LogLikelihood(Span(e));
+  EXPECT_LT(fitted().log_likelihood, of_truth - 10.0);
+  options.is_thorough = true;
+  const NoiseFit thorough = fitted();
+  ASSERT_TRUE(thorough.IsUsable()) << thorough.message;
+  EXPECT_GT(thorough.log_likelihood, of_truth);
+  EXPECT_NEAR(thorough.model.displacement.white_std, 0.005, 4.0 * 0.005 / std::sqrt(2.0 * 900.0));
+}
+
 TEST(FitNoise, IsAMaximum) {
   const auto samples = VelocitySamples(300.0, 0.2);
   const Eigen::VectorXd e = DenseDraws(Disturbed(), samples, 2).Draw();

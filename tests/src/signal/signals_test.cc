@@ -329,8 +329,8 @@ TEST(Signals, SayWhichWindowTheyUse) {
   const TankRun run = StepRun(60.0);
   EXPECT_THAT(SignalsOf(run.log, Dof::kSurge).remarks, Contains(HasSubstr("cross-validation")));
   EXPECT_THAT(SignalsOf(run.log, Dof::kSurge, {.window = 1.5}).remarks,
-              Contains(StartsWith("A Savitzky-Golay filter gives least squares its accelerations: "
-                                  "window 1.5 s")));
+              Contains(StartsWith("A Savitzky-Golay filter gives least squares, where fits begin, "
+                                  "its accelerations: window 1.5 s")));
   EXPECT_THAT(
       SignalsOf(run.log, Dof::kSurge, {.source = Source::kCamera}).remarks,
       Contains(StartsWith("A Savitzky-Golay filter makes velocities of the poses: window ")));

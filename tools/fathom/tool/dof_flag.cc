@@ -3,8 +3,12 @@
 
 #include "fathom/tool/dof_flag.h"
 
+#include "fathom/base/input_error.h"
 #include "fathom/tool/flag_values.h"
 
+#include <string>
+
+#include <fmt/format.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(dof,
@@ -16,6 +20,12 @@ namespace fathom {
 
 std::optional<Dof> DofFromFlag() {
   if (FLAGS_dof.empty()) return std::nullopt;
+  if (FLAGS_dof.find(',') != std::string::npos) {
+    throw InputError(
+        fmt::format("--dof: is '{}', expected one DOF. Several as one motion: --dofs={}.",
+                    FLAGS_dof,
+                    FLAGS_dof));
+  }
   return ParseFlag("dof", FLAGS_dof, ParseDof);
 }
 

@@ -46,8 +46,8 @@ std::string NamesIn(const std::vector<std::string_view>& cells) {
 SampleLines::SampleLines(std::string name, std::istream* in) : name_(std::move(name)), in_(in) {}
 
 void SampleLines::GoOnBehind(double t, const std::string& from) {
-  last_stamp_ = t;
-  last_stamp_from_ = " in " + from;
+  behind_ = t;
+  behind_from_ = from;
 }
 
 void SampleLines::Fail(const std::string& problem) const {
@@ -99,11 +99,30 @@ double SampleLines::NumberIn(std::size_t role) const {
 
 void SampleLines::RequireRising(double t) const {
   if (!last_stamp_ || t > *last_stamp_) return;
-  Fail(fmt::format("column 't' {} from {}{} to {}, expected rising stamps.",
+  Fail(fmt::format("column 't' {} from {} to {}, expected rising stamps.",
                    t < *last_stamp_ ? "goes back" : "does not rise",
                    *last_stamp_,
-                   last_stamp_from_,
                    t));
+}
+
+bool SampleLines::IsPassedOver(double t) {
+  if (!behind_) return false;
+  if (t <= *behind_) {
+    holds_behind_ = t == *behind_;
+    ++num_passed_over_;
+    return true;
+  }
+  if (num_passed_over_ > 0 && !holds_behind_) {
+    Fail(
+        fmt::format("column 't' goes from {} to {} and leaves out {}, the last stamp of {}. "
+                    "Expected the same stream again, or one that begins behind it.",
+                    *last_stamp_,
+                    t,
+                    *behind_,
+                    behind_from_));
+  }
+  behind_.reset();
+  return false;
 }
 
 std::optional<SampleLine> SampleLines::Next() {
@@ -124,9 +143,9 @@ std::optional<SampleLine> SampleLines::Next() {
     }
     const SampleLine sample = {NumberIn(0), NumberIn(1), NumberIn(2)};
     RequireRising(sample.t);
+    const bool is_passed_over = IsPassedOver(sample.t);
     last_stamp_ = sample.t;
-    last_stamp_from_.clear();
-    return sample;
+    if (!is_passed_over) return sample;
   }
   return std::nullopt;
 }

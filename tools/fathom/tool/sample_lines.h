@@ -28,7 +28,8 @@ class SampleLines {
   // `name` stands for the stream in messages; `in` must outlive this.
   SampleLines(std::string name, std::istream* in);
 
-  // Takes a stamp for the one before the first line's; `from` says where it stands.
+  // Goes on behind this stamp; `from` says where it stands. A stream that begins anew is passed
+  // over up to there, where it holds a line of that stamp.
   void GoOnBehind(double t, const std::string& from);
 
   // The next sample; nothing at the end of the stream. Waits for a line. Throws InputError, with
@@ -36,6 +37,9 @@ class SampleLines {
   // line with another number of cells, names without t, tau and v, stamps that do not rise, a
   // carriage return, a line of over 4095 bytes and a stream that cannot be read.
   std::optional<SampleLine> Next();
+
+  // How many samples were passed over.
+  long num_passed_over() const { return num_passed_over_; }
 
   // Names of columns that are not read, once the first line was taken.
   const std::vector<std::string>& not_read() const { return not_read_; }
@@ -45,6 +49,7 @@ class SampleLines {
   void TakeNames();
   double NumberIn(std::size_t role) const;
   void RequireRising(double t) const;
+  bool IsPassedOver(double t);
   [[noreturn]] void Fail(const std::string& problem) const;
 
   std::string name_;
@@ -58,7 +63,10 @@ class SampleLines {
   std::array<std::size_t, 3> column_ = {0, 1, 2};  // of t, tau and v
   std::vector<std::string> not_read_;
   std::optional<double> last_stamp_;
-  std::string last_stamp_from_;
+  std::optional<double> behind_;
+  std::string behind_from_;
+  bool holds_behind_ = false;  // a line of that stamp
+  long num_passed_over_ = 0;
 };
 
 }  // namespace fathom

@@ -25,16 +25,22 @@ constexpr int kMostTurns = 5;
 // their number: a step that promises less than this share of them is none.
 constexpr double kLeastShareOfFreeRun = 1e-4;
 
+// Whether other maxima of the noise are looked for: what begins from nothing has to find the
+// greatest, and what begins from a noise that was found so keeps to it.
+enum class Look { kNear, kThorough };
+
 // The noise of what a fit leaves, its parameters free (`design`: its Jacobian) or as they are (a
 // design without columns).
 NoiseModel LearnNoise(const TrainingData& data,
                       const StructureFit& fit,
                       const Eigen::Ref<const RowMajorMatrix>& design,
-                      const std::optional<NoiseModel>& start) {
+                      const std::optional<NoiseModel>& start,
+                      Look look) {
   FitNoiseOptions options;
   options.damping_rate = data.DampingRate(fit.model.baseline);
   options.start = start;
   options.precision = kNoisePrecision;
+  options.is_thorough = look == Look::kThorough;
   const NoiseFit learned = FitNoise(
       data.samples(), std::span(fit.residual.data(), fit.residual.size()), design, options);
   data.CountLikelihoods(learned.num_evaluations);
@@ -84,7 +90,8 @@ bool IsUnreached(const StructureFit& fit) {
 StructureFit LearnOn(const TrainingData& data,
                      StructureFit fit,
                      NoiseModel noise,
-                     const FitPrecision& precision) {
+                     const FitPrecision& precision,
+                     Look look) {
   const RowMajorMatrix none(fit.residual.size(), 0);
   StructureFit likeliest;
   double previous = -std::numeric_limits<double>::infinity();
@@ -95,7 +102,7 @@ StructureFit LearnOn(const TrainingData& data,
     if (turn + 1 == kMostTurns || fit.log_likelihood < precision.least) break;
     if (turn == 0 || fit.log_likelihood > likeliest.log_likelihood) likeliest = fit;
     previous = fit.log_likelihood;
-    noise = LearnNoise(data, fit, is_unreached ? none : fit.jacobian, noise);
+    noise = LearnNoise(data, fit, is_unreached ? none : fit.jacobian, noise, look);
     fit = FitStructure(data, std::move(fit), Whitener(noise, data.samples()), precision);
   }
   const bool ended_badly = (IsUnreached(fit) || !fit.converged) && likeliest.IsSimulated();
@@ -128,11 +135,12 @@ StructureFit FitBy(Criterion criterion,
                    const FitPrecision& precision) {
   if (criterion == Criterion::kFreeRun) return FitFreeRun(data, start, precision);
   const NoiseModel noise =
-      LearnNoise(data, start, start.jacobian, LikeliestSize(data, start, known));
+      LearnNoise(data, start, start.jacobian, LikeliestSize(data, start, known), Look::kNear);
   return LearnOn(data,
                  FitStructure(data, start, Whitener(noise, data.samples()), precision),
                  noise,
-                 precision);
+                 precision,
+                 Look::kNear);
 }
 
 StructureFit FitBy(Criterion criterion,
@@ -154,7 +162,8 @@ StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const NoiseModel& noise,
                                   const FitPrecision& precision) {
   const Whitener whitener(noise, data.samples());
-  return LearnOn(data, FitStructure(data, start, initial, whitener, precision), noise, precision);
+  return LearnOn(
+      data, FitStructure(data, start, initial, whitener, precision), noise, precision, Look::kNear);
 }
 
 StructureFit FitStructureAndNoise(const TrainingData& data,
@@ -162,7 +171,8 @@ StructureFit FitStructureAndNoise(const TrainingData& data,
                                   const FitPrecision& precision) {
   const NoiseModel noise = FirstNoise(data, start);
   const Whitener whitener(noise, data.samples());
-  return LearnOn(data, FitStructure(data, start, whitener, precision), noise, precision);
+  return LearnOn(
+      data, FitStructure(data, start, whitener, precision), noise, precision, Look::kThorough);
 }
 
 StructureFit FitBaseline(const TrainingData& data,
@@ -177,7 +187,7 @@ StructureFit FitBaseline(const TrainingData& data,
 }
 
 NoiseModel FirstNoise(const TrainingData& data, const StructureFit& fit) {
-  return LearnNoise(data, fit, fit.jacobian, std::nullopt);
+  return LearnNoise(data, fit, fit.jacobian, std::nullopt, Look::kThorough);
 }
 
 }  // namespace fathom

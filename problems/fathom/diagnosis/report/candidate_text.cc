@@ -20,8 +20,7 @@ std::string WhyText(const Candidate& candidate) {
     case CandidateOutcome::kAlternative:
       return "these logs cannot tell it from a kept cause";
     case CandidateOutcome::kFitFailed:
-      return "dropped: its fit cannot be simulated, does not determine the inertia, or is a tone "
-             "at the command's own frequency";
+      return "dropped: its fit gives no usable model";
     case CandidateOutcome::kScoreWithinNoise:
       return fmt::format("dropped: score {:.1f}; noise alone reaches {:.1f}",
                          candidate.score,

@@ -70,6 +70,9 @@ class HypothesisBook {
   // two of the same suspects the one that gains more is kept.
   void Add(Hypothesis hypothesis);
 
+  // Takes a hypothesis of the same suspects in place of one.
+  void Replace(int index, Hypothesis hypothesis) { tried_[index] = std::move(hypothesis); }
+
   // Writes down that these suspects were refitted, whatever comes of it.
   void AddAttempt(const std::vector<int>& suspects) { attempts_.insert(suspects); }
 

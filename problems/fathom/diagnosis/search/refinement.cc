@@ -96,17 +96,6 @@ std::vector<int> With(std::vector<int> suspects, int more) {
   return suspects;
 }
 
-// What a hypothesis gains by its fit.
-Hypothesis Weighed(const SearchTask& task, const Hypothesis& baseline, Hypothesis hypothesis) {
-  const double share = task.options.effective_share;
-  const double log_num_data = std::log(share * static_cast<double>(task.data.bins().size()));
-  hypothesis.gain = share * 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
-                    PriceOfStarts(task.data, hypothesis.fit.start_gains);
-  hypothesis.delta_bic =
-      hypothesis.gain - log_num_data * (NumParameters(hypothesis) - NumParameters(baseline));
-  return hypothesis;
-}
-
 // A fit that gains less than its share of `most_gain` is left where its first noise leaves it.
 FitPrecision PrecisionFor(const SearchTask& task, const Hypothesis& baseline, double most_gain) {
   FitPrecision precision = task.options.precision;
@@ -151,6 +140,16 @@ bool Contends(const SearchTask& task,
 }
 
 }  // namespace
+
+Hypothesis Weighed(const SearchTask& task, const Hypothesis& baseline, Hypothesis hypothesis) {
+  const double share = task.options.effective_share;
+  const double log_num_data = std::log(share * static_cast<double>(task.data.bins().size()));
+  hypothesis.gain = share * 2.0 * (hypothesis.fit.log_likelihood - baseline.fit.log_likelihood) -
+                    PriceOfStarts(task.data, hypothesis.fit.start_gains);
+  hypothesis.delta_bic =
+      hypothesis.gain - log_num_data * (NumParameters(hypothesis) - NumParameters(baseline));
+  return hypothesis;
+}
 
 Hypothesis BegunFrom(const SearchTask& task,
                      const Hypothesis& baseline,

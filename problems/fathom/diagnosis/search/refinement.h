@@ -10,6 +10,9 @@
 
 namespace fathom {
 
+// A hypothesis with what it gains by its fit.
+Hypothesis Weighed(const SearchTask& task, const Hypothesis& baseline, Hypothesis hypothesis);
+
 // The hypothesis of these suspects, from a rough fit of them: its noise is learned along, from the
 // baseline's or that of `base`, a hypothesis near it. One that gains less under its first noise
 // than its share of `most_gain`, SearchOptions::hope, is left at that. WithSettled() judges whether

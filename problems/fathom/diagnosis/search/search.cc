@@ -3,6 +3,8 @@
 
 #include "fathom/diagnosis/search/search.h"
 
+#include "fathom/base/parallel_for.h"
+#include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/search/momentum_starts.h"
 #include "fathom/diagnosis/search/pairs.h"
 #include "fathom/diagnosis/search/refinement.h"
@@ -109,6 +111,42 @@ bool HoldsUnderTheBaselinesNoise(const SearchTask& task,
              static_cast<double>(hypothesis.suspects.size());
 }
 
+// A fit under another noise, where that is likelier.
+StructureFit LikelierUnder(const SearchTask& task,
+                           const StructureFit& fit,
+                           const NoiseModel& noise) {
+  StructureFit other =
+      FitBy(task.options.criterion, task.data, fit, {&noise, 1}, task.options.precision);
+  return other.IsUsable() && other.log_likelihood > fit.log_likelihood ? other : fit;
+}
+
+// The book with what stands, and all else, under the noise of what is better, where what stands is
+// likelier under it. A gain has to come of a cause, and the likelihood of a noise has maxima of its
+// own.
+HypothesisBook WithOneNoise(const SearchTask& task, int size, HypothesisBook book) {
+  if (task.options.criterion == Criterion::kFreeRun) return book;
+  for (int round = 0; round < task.options.most_rounds; ++round) {
+    const std::vector<int> ranked = book.RankedOfSize(size);
+    if (ranked.empty() || !(book.Worth(ranked.front()) > book.Worth(book.best()))) break;
+    const NoiseModel noise = book[ranked.front()].fit.noise;
+    const StructureFit& standing = book[book.best()].fit;
+    const double gained =
+        LikelierUnder(task, standing, noise).log_likelihood - standing.log_likelihood;
+    if (!(gained > task.options.of_noise)) break;
+    std::vector<StructureFit> fits(static_cast<std::size_t>(book.size()));
+    ParallelFor(book.size(), [&](int i) {
+      fits[static_cast<std::size_t>(i)] = LikelierUnder(task, book[i].fit, noise);
+    });
+    for (int i = 0; i < book.size(); ++i) {
+      Hypothesis hypothesis = {book[i].suspects, std::move(fits[static_cast<std::size_t>(i)])};
+      book.Replace(
+          i,
+          i == 0 ? std::move(hypothesis) : Weighed(task, book.baseline(), std::move(hypothesis)));
+    }
+  }
+  return book;
+}
+
 }  // namespace
 
 SearchResult SearchCauses(const TrainingData& data,
@@ -135,6 +173,7 @@ SearchResult SearchCauses(const TrainingData& data,
     }
     book = WithOneMoreEach(task, beam, std::move(book));
     if (size == 2 && !task.IsSpent()) book = WithPairs(task, about_baseline, std::move(book));
+    book = WithOneNoise(task, size, std::move(book));
     const std::vector<int> ranked = book.RankedOfSize(size);
     const bool is_better = !ranked.empty() && book.Worth(ranked.front()) > book.Worth(book.best());
     if (is_better && HoldsUnderTheBaselinesNoise(task, book, book[ranked.front()])) {

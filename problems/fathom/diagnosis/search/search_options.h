@@ -99,6 +99,10 @@ struct SearchOptions {
   double least_under_the_baselines_noise = 4.0;
   double beyond_doubt = 3.0;
 
+  // Log-likelihood that what stands has to gain by the noise of what is better, to be taken with
+  // it.
+  double of_noise = 2.0;
+
   // Rounds in which the best hypothesis is challenged, unless it stands before.
   int most_rounds = 3;
 

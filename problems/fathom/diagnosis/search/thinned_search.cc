@@ -69,7 +69,15 @@ WeighedSearch SearchByLikelihood(const Prepared& prepared,
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
   SearchResult found = SearchCauses(
       thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted, wanted.search, ends);
-  return {Criterion::kLearnedNoise, suspects, std::move(found), std::move(thinned), baseline};
+  // The noise that the search found for it may be the likelier one of all data too.
+  const NoiseModel& noise = found.book.baseline().fit.noise;
+  StructureFit again = FitBy(Criterion::kLearnedNoise, prepared.data, baseline, {&noise, 1});
+  const bool is_likelier = again.IsUsable() && again.log_likelihood > baseline.log_likelihood;
+  return {Criterion::kLearnedNoise,
+          suspects,
+          std::move(found),
+          std::move(thinned),
+          is_likelier ? std::move(again) : baseline};
 }
 
 WeighedSearch SearchByFreeRuns(const Prepared& prepared,

@@ -112,6 +112,9 @@ const fontWithin = (name, length) => {
 
 const LABEL_HEIGHT = 20;  // [px], of what stands above a shade
 
+// Between the numbers of an axis of such a length [px]: a low chart has two of them too.
+const spaceOf = (plot, index, from, to, length) => Math.max(14, Math.min(26, length / 4));
+
 const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) => {
   const own = [panel.places[0], panel.places[panel.places.length - 1]];
   const ink = () => colorOf("muted");
@@ -143,7 +146,7 @@ const makePlot = (group, panel, place, {label, series, height, hasTimeLabel}) =>
     axes: [
       hasTimeLabel ? {...timeAxis, label: `time [s]${offset}`, labelSize: 20, size: 30}
                    : {...timeAxis, size: 10, values: (_, ticks) => ticks.map(() => "")},
-      {...axis, label, labelFont: fontWithin(label, height + 8 - (hasTimeLabel ? 50 : 10)), labelSize: 22, size: AXIS_WIDTH - 22, space: 26},
+      {...axis, label, labelFont: fontWithin(label, height + 8 - (hasTimeLabel ? 50 : 10)), labelSize: 22, size: AXIS_WIDTH - 22, space: spaceOf},
     ],
     bands: series.flatMap((one, i) => {
       if (!one.low) return [];

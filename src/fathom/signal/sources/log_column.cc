@@ -49,7 +49,7 @@ HeldCommand CommandOf(const Log& log, Dof dof) {
         column,
         fmt::join(log.command->columns, ", "),
         has_thrusters ? "Name a vehicle file, so that thruster speeds can be turned into forces."
-                      : "Choose a DOF that was commanded."));
+                      : "Choose a DOF that was commanded, or another log."));
   }
   return {log.command->time, *values};
 }

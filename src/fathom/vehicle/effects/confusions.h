@@ -19,7 +19,7 @@ inline constexpr Confusion kLateReading = {kLateThrust.experiment};
 // Which of two lags.
 inline constexpr Confusion kWhichLag = {
     "Poses too, which have no lag of the speed sensor, or large steps, to speeds where quadratic "
-    "drag matters: in linear drag lags commute."};
+    "drag matters: under linear drag it makes no difference which of the two lags."};
 
 inline constexpr Confusion kSpeedAtRest = {
     "No velocity log can decide, because the two are identical at every speed. Log poses too.",
