@@ -65,19 +65,21 @@ WeighedSearch SearchByLikelihood(const Prepared& prepared,
       std::min(baseline.model.baseline.inertia, prepared.users.model.baseline.inertia);
   const double share = IsInertiaOpen(baseline) ? kLeastInertiaIfOpen : kLeastInertia;
   TrainingData thinned(prepared.thinned, baseline.model.baseline, share * inertia);
-  const StructureFit rough =
+  StructureFit rough =
       FitStructureAndNoise(thinned, baseline.model, baseline.initial, baseline.noise);
-  SearchResult found = SearchCauses(
-      thinned, rough.IsSimulated() ? rough : baseline, suspects, wanted, wanted.search, ends);
-  // The noise that the search found for it may be the likelier one of all data too.
-  const NoiseModel& noise = found.book.baseline().fit.noise;
-  StructureFit again = FitBy(Criterion::kLearnedNoise, prepared.data, baseline, {&noise, 1});
-  const bool is_likelier = again.IsUsable() && again.log_likelihood > baseline.log_likelihood;
-  return {Criterion::kLearnedNoise,
-          suspects,
-          std::move(found),
-          std::move(thinned),
-          is_likelier ? std::move(again) : baseline};
+  if (!rough.IsSimulated()) rough = baseline;
+  SearchResult found = SearchCauses(thinned, rough, suspects, wanted, wanted.search, ends);
+  WeighedSearch search = {
+      Criterion::kLearnedNoise, suspects, std::move(found), std::move(thinned), baseline};
+  // A noise that the search found for the baseline may be the likelier one of all data too.
+  const StructureFit& refitted = search.found.book.baseline().fit;
+  if (!(refitted.log_likelihood > rough.log_likelihood)) return search;
+  StructureFit again =
+      FitBy(Criterion::kLearnedNoise, prepared.data, baseline, {&refitted.noise, 1});
+  if (again.IsUsable() && again.log_likelihood > baseline.log_likelihood) {
+    search.baseline = std::move(again);
+  }
+  return search;
 }
 
 WeighedSearch SearchByFreeRuns(const Prepared& prepared,
