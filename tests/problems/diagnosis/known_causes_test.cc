@@ -113,5 +113,22 @@ TEST_P(KnownCauses, ALagOfHalfASecondIsNamedAndTheLinearDampingPutRight) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, KnownCauses, ::testing::Range(1, 7));
 
+// Positions have white noise, and turbulence moves the vehicle: that noise has two maxima of
+// likelihood, and the step from one to the other is no cause. A rate of 5 % would leave seven or
+// eight of eight.
+TEST(PilotInTurbulence, NeedsNoCause) {
+  const std::filesystem::path data = FATHOM_DATA_DIR;
+  const Vehicle vehicle = ReadVehicleFile(data / "vehicles/flatfish.yaml");
+  const Experiment experiment = ReadExperimentFile(data / "experiments/pilot.yaml");
+  int num_consistent = 0;
+  for (unsigned seed = 20; seed < 28; ++seed) {
+    const Log log = Synthesize(vehicle, experiment, {}, seed);
+    const Diagnosis diagnosis = Diagnose(std::span<const Log>(&log, 1), Dof::kSurge);
+    EXPECT_THAT(diagnosis.causes, IsEmpty()) << seed;
+    num_consistent += diagnosis.verdict == Verdict::kConsistent ? 1 : 0;
+  }
+  EXPECT_GE(num_consistent, 7);
+}
+
 }  // namespace
 }  // namespace fathom
