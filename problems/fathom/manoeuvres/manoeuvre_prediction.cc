@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -202,7 +203,14 @@ std::string GearSentence(const ManoeuvrePrediction& report) {
   std::string text = std::isfinite(report.rudder_rate)
                          ? fmt::format("The rudder turns at {}", RateText(report.rudder_rate))
                          : std::string("The rudder turns at once");
-  if (report.manoeuvre.kind != Manoeuvre::Kind::kZigzag) return text + ".";
+  // Of ships 2 to 5 deg/s are usual, of small boats 30.
+  constexpr double kQuickestGear = 60.0 * std::numbers::pi / 180.0;
+  const std::string_view on_gear =
+      report.rudder_rate > kQuickestGear
+          ? " So quickly this log's commands change: a steering gear is slower, and overshoots are "
+            "then larger."
+          : "";
+  if (report.manoeuvre.kind != Manoeuvre::Kind::kZigzag) return fmt::format("{}.{}", text, on_gear);
   text += fmt::format(", {:.2f} s after the heading reaches the order", report.rudder_delay);
   if (report.gear && report.gear->IsZigzag() && report.rudder_delay == report.gear->delay) {
     text += fmt::format(" (measured: {} strokes, {:.2f} to {:.2f} s)",
@@ -210,7 +218,7 @@ std::string GearSentence(const ManoeuvrePrediction& report) {
                         report.gear->least_delay,
                         report.gear->most_delay);
   }
-  return text + ".";
+  return fmt::format("{}.{}", text, on_gear);
 }
 
 std::string ManoeuvreCsv(const ManoeuvrePrediction& report) {

@@ -98,6 +98,16 @@ TEST(PredictManoeuvre, SaysThatAStableVehicleHoldsItsTrack) {
   EXPECT_TRUE(report.drawn.empty());
 }
 
+TEST(GearSentence, SaysThatStepsOfALogAreNoSteeringGear) {
+  ManoeuvrePrediction report;
+  report.manoeuvre = ParseManoeuvre("turning_circle:35");
+  report.track.time = {0.0};
+  report.rudder_rate = 0.5;
+  EXPECT_EQ(GearSentence(report), "The rudder turns at 28.6 deg/s.");
+  report.rudder_rate = 3.5;
+  EXPECT_THAT(GearSentence(report), testing::HasSubstr(" a steering gear is slower"));
+}
+
 // A given delay takes the place of the log's and is said.
 TEST(PredictManoeuvre, TakesTheRuddersDelayThatIsGiven) {
   const auto overshoot = [&](double delay) {
