@@ -86,6 +86,11 @@ int Run() {
   RequireOnePath("out", FLAGS_out);
   const ExportFormat format = ParseFlag("format", FLAGS_format, ParseExportFormat);
   if (format == ExportFormat::kMss) RequireFunctionFile(FLAGS_out);
+  if (format != ExportFormat::kStonefish &&
+      !gflags::GetCommandLineFlagInfoOrDie("speed").is_default) {
+    throw InputError(fmt::format(
+        "--speed: goes with --format=stonefish, expected none with --format={}.", FLAGS_format));
+  }
   const std::vector<std::string> files = PathsInValues(FLAGS_model);
   std::vector<std::string> inputs = files;
   if (!FLAGS_vehicle.empty()) inputs.push_back(FLAGS_vehicle);

@@ -194,6 +194,10 @@ void WriteIntoLog(const fs::path& folder,
                   const TrackSummary& summary) {
   if (input.images) WriteDetections(folder / "detections.csv", input.detections);
   WriteTrack(folder, track, summary.remarks);
+  fmt::print(stderr,
+             "Written into the log: {}{}. --out makes a log of its own.\n",
+             (folder / "pose.csv").string(),
+             input.images ? ", detections.csv" : "");
   const fs::path estimated = folder / "tags_estimated.yaml";
   if (track.estimated_ids.empty()) {
     std::error_code error;

@@ -38,5 +38,7 @@ int main(int argc, char** argv) {
         "%.17g,%.17g,%.17g,%.17g,%.17g\n", t, estimate[0], estimate[1], estimate[2], estimate[3]);
     fflush(stdout);
   }
-  return 0;
+  if (feof(stdin)) return 0;
+  fprintf(stderr, "adaptive_law: a line is not t,tau,v. Leave the names of columns out.\n");
+  return 1;
 }

@@ -315,6 +315,13 @@ TEST(ExportTool, RefusesASpeedThatIsNone) {
                            "--out=" + inputs.Out("small.scn")},
                           inputs.folder),
             "fathom_export: --speed: is 0, expected a speed above 0 m/s.\n");
+  EXPECT_EQ(
+      ExpectRefusal(
+          "fathom_export",
+          {"--model=" + inputs.model, "--format=c", "--speed=1", "--out=" + inputs.Out("small.h")},
+          inputs.folder),
+      "fathom_export: --speed: goes with --format=stonefish, expected none with "
+      "--format=c.\n");
 }
 
 TEST(ExportTool, RefusesToWriteOverItsModel) {

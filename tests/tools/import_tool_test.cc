@@ -352,6 +352,9 @@ TEST_F(ImportToolOnRealLogs, TakesAnArduSubLogWithAVehicleAlone) {
                     HasSubstr("the log drives 6 outputs, and the vehicle 'BlueROV2 heavy' has 8 "
                               "thrusters"),
                     HasSubstr("--suggest > map.yaml")));
+  // Nor with a vehicle file without thrusters.
+  EXPECT_THAT(Import({from, out, "--vehicle=" FATHOM_DATA_DIR "/vehicles/bluerov2.yaml"}).err,
+              HasSubstr("the log drives 6 outputs, and the vehicle 'BlueROV2' has 0 thrusters"));
   const ToolRun suggested =
       RunToolBinary("fathom_import", {from, "--suggest", "--vehicle=" + kBlueRov});
   EXPECT_THAT(suggested.out,

@@ -18,25 +18,6 @@ namespace {
 constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis of one DOF
 constexpr double kLeastMissed = 0.01;  // of the motion: of less nobody asks the cause
 
-// The free runs that the model is judged by, along one DOF.
-std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified) {
-  std::vector<FreeRun> runs;
-  for (std::size_t k = 0; k < identified.data.size(); ++k) {
-    for (std::size_t s = 0; s < identified.data[k].segments.size(); ++s) {
-      const CoupledSegment& segment = identified.data[k].segments[s];
-      FreeRun& run = runs.emplace_back();
-      for (std::size_t i = 0; i < segment.time.size(); ++i) {
-        const double measured = segment.velocity[i][Index(dof)];
-        if (!std::isfinite(measured)) continue;
-        run.time.push_back(segment.time[i]);
-        run.measured.push_back(measured);
-        run.predicted.push_back(identified.prediction.velocity[k][s][i][Index(dof)]);
-      }
-    }
-  }
-  return runs;
-}
-
 bool IsOffDiagonal(const FreeEntry& entry) {
   using Kind = FreeEntry::Kind;
   return entry.row != entry.column &&

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
+#include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
@@ -150,13 +151,16 @@ std::optional<std::string> UnitFin(const CoupledLogs& logs, const std::vector<Do
   return std::nullopt;
 }
 
-// A caveat on the DOFs of which free runs miss much; empty where there is none.
-std::string CaveatOnPoorFit(const FittedCoupledModel& fitted) {
+// A caveat on the DOFs of which free runs miss much, and far more than scatters from sample to
+// sample; empty where there is none.
+std::string CaveatOnPoorFit(const CoupledIdentification& identified) {
+  constexpr double kFarAboveScatter = 3.0;
   std::vector<std::string> poor;
-  for (const Dof dof : fitted.model.dofs) {
-    const auto row = static_cast<std::size_t>(Index(dof));
-    const double nmae = fitted.train[row].nmae;
-    if (nmae > kPoorFit) poor.push_back(fmt::format("{:.0f} % of {}", 100.0 * nmae, Name(dof)));
+  for (const Dof dof : identified.fitted.model.dofs) {
+    const double nmae = identified.fitted.train[static_cast<std::size_t>(Index(dof))].nmae;
+    const double scatter = NmaeOfScatter(RunsAlong(dof, identified));
+    if (!(nmae > kPoorFit) || nmae < kFarAboveScatter * scatter) continue;
+    poor.push_back(fmt::format("{:.0f} % of {}", 100.0 * nmae, Name(dof)));
   }
   if (poor.empty()) return "";
   return fmt::format(
@@ -267,7 +271,7 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
         Name(prior.entry.row)));
   }
   if (!result.on_bound.empty()) {
-    fitted.caveats.push_back(
+    identified.caveats_on_fit.push_back(
         fmt::format("Ended on what a body can be, no damping below 0 and no inertia below the "
                     "body's own: {}. These intervals are to be cut there.",
                     NamesOfEntries(result.on_bound)));
@@ -280,16 +284,36 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
   }
   fitted.train = prediction->train;
   fitted.held_out = prediction->held_out;
-  if (auto caveat = CaveatOnPoorFit(fitted); !caveat.empty()) {
-    fitted.caveats.push_back(std::move(caveat));
-  }
   identified.prediction = std::move(*prediction);
+  if (auto caveat = CaveatOnPoorFit(identified); !caveat.empty()) {
+    identified.caveats_on_fit.push_back(std::move(caveat));
+  }
+  fitted.caveats.insert(
+      fitted.caveats.end(), identified.caveats_on_fit.begin(), identified.caveats_on_fit.end());
   if (identified.ladder && identified.ladder->rungs.front().fit.converged) {
     CoupledModel diagonal = identified.ladder->rungs.front().fit.model;
     diagonal.dofs = options.dofs;
     identified.diagonal = PredictCoupled(diagonal, identified.data, fit.window);
   }
   return identified;
+}
+
+std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified) {
+  std::vector<FreeRun> runs;
+  for (std::size_t k = 0; k < identified.data.size(); ++k) {
+    for (std::size_t s = 0; s < identified.data[k].segments.size(); ++s) {
+      const CoupledSegment& segment = identified.data[k].segments[s];
+      FreeRun& run = runs.emplace_back();
+      for (std::size_t i = 0; i < segment.time.size(); ++i) {
+        const double measured = segment.velocity[i][Index(dof)];
+        if (!std::isfinite(measured)) continue;
+        run.time.push_back(segment.time[i]);
+        run.measured.push_back(measured);
+        run.predicted.push_back(identified.prediction.velocity[k][s][i][Index(dof)]);
+      }
+    }
+  }
+  return runs;
 }
 
 }  // namespace fathom

@@ -7,6 +7,7 @@
 #include "fathom/log/log.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
+#include "fathom/simulate/free_run.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
@@ -28,6 +29,7 @@ struct CoupledIdentification {
   bool is_usable = false;
   std::string message;  // why not
   FittedCoupledModel fitted;
+  std::vector<std::string> caveats_on_fit;  // those of fitted.caveats that are of this fit alone
   CoupledSummary fit;
   std::optional<Ladder> ladder;  // where the structure was chosen
 
@@ -47,5 +49,8 @@ struct CoupledIdentification {
 // know nothing of what an entry of `also_free` is of.
 CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                                       const CoupledIdentificationOptions& options);
+
+// The free runs that the model is judged by, along one DOF.
+std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified);
 
 }  // namespace fathom

@@ -175,6 +175,9 @@ FilmRefinement RefineCoupled(const MarkerLogs& logs, const FilmRefinementOptions
   }
   FittedCoupledModel& fitted = refinement.fitted;
   fitted = of_poses.fitted;
+  std::erase_if(fitted.caveats, [&](const std::string& caveat) {
+    return std::ranges::count(of_poses.caveats_on_fit, caveat) > 0;
+  });
   fitted.model = refinement.joint.model;
   fitted.covariance = refinement.joint.covariance;
   fitted.train = refinement.joint_prediction->train;

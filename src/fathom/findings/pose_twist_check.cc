@@ -114,6 +114,13 @@ AxisLikeness LikenessOf(const TwinMotion& motion) {
   return axis;
 }
 
+// How many times the one is the other; where the rows are too few for an interval, as regression
+// has it.
+TwistScale ScaleOr(double gain, const TwinMotion& motion, double delay) {
+  const TwistScale scale = TwistScaleOf(motion, delay);
+  return std::isfinite(scale.factor) ? scale : TwistScale{gain, scale.half_width};
+}
+
 std::optional<Finding> CheckAxis(const TwinMotion& motion, const AxisLikeness& axis) {
   const auto& [near, near_delay, best, best_delay] = axis;
   if (near.correlation <= -kSurelyOne) {
@@ -124,7 +131,7 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion, const AxisLikeness& a
         fmt::format("have opposite signs: a correlation of {:.2f}, a factor of {}. One of them has "
                     "a wrong sign or axis.",
                     near.correlation,
-                    FormatTwistScale(TwistScaleOf(motion, near_delay))));
+                    FormatTwistScale(ScaleOr(near.gain, motion, near_delay))));
   }
   const bool is_larger = std::min(best.gain, best.size) > kLargestScale;
   const bool is_smaller = std::max(best.gain, best.size) < 1.0 / kLargestScale;
@@ -134,7 +141,7 @@ std::optional<Finding> CheckAxis(const TwinMotion& motion, const AxisLikeness& a
                      "pose_twist_scale",
                      fmt::format("differ by a factor of {}: one of them has a wrong unit or "
                                  "scale.",
-                                 FormatTwistScale(TwistScaleOf(motion, best_delay))));
+                                 FormatTwistScale(ScaleOr(best.gain, motion, best_delay))));
   }
   const double step = motion.SlowestStep();
   if (IsDelayed(LikenessAt(0.0, motion), best, best_delay) &&

@@ -93,6 +93,8 @@ FilledMap::FilledMap(FoundChannels found, const std::optional<Vehicle>& vehicle)
 bool FilledMap::IsDriven() {
   if (!vehicle_) return false;
   const FoundChannel& outputs = found_.Of(kOutputRole);
+  const bool has_actuators = !vehicle_->thrusters.empty() || !vehicle_->fins.empty();
+  if (outputs.channel != nullptr && !has_actuators) return false;
   return outputs.num_outputs >= std::ssize(vehicle_->thrusters) ||
          (outputs.channel != nullptr && outputs.wanted->is_idle_too);
 }
