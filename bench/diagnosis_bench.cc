@@ -5,7 +5,7 @@
 // nothing hidden, with one cause, with two; seconds per log, and where they go. docs/diagnosis.md.
 
 #include "fathom/diagnosis/diagnosis.h"
-#include "fathom/synthesize/effects/hidden_effects.h"
+#include "fathom/synthesize/effects/parse_hidden_effects.h"
 #include "fathom/synthesize/synthesize.h"
 
 #include <cstdio>

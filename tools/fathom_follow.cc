@@ -104,7 +104,8 @@ class FollowedStream {
     std::error_code error;
     if (FLAGS_state.empty() || !std::filesystem::exists(FLAGS_state, error)) return;
     follower_ = ReadFollower(FLAGS_state, dof, options);
-    lines_.GoOnBehind(follower_.state().t, FLAGS_state);
+    const AdaptiveState& last = follower_.state();
+    lines_.GoOnBehind({last.t, last.force, last.velocity}, FLAGS_state);
   }
 
   // The estimate behind the next sample; nothing at the end.

@@ -14,7 +14,7 @@
 #include "fathom/film/film_log.h"
 #include "fathom/log/write_log.h"
 #include "fathom/report/format_value.h"
-#include "fathom/synthesize/effects/hidden_effects.h"
+#include "fathom/synthesize/effects/parse_hidden_effects.h"
 #include "fathom/synthesize/experiment/experiment_file.h"
 #include "fathom/synthesize/synthesize.h"
 #include "fathom/synthesize/truth_file.h"

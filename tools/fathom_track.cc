@@ -195,9 +195,8 @@ void WriteIntoLog(const fs::path& folder,
   if (input.images) WriteDetections(folder / "detections.csv", input.detections);
   WriteTrack(folder, track, summary.remarks);
   fmt::print(stderr,
-             "Written into the log: {}{}. --out makes a log of its own.\n",
-             (folder / "pose.csv").string(),
-             input.images ? ", detections.csv" : "");
+             "{}: the poses are written into this log. --out makes a log of its own.\n",
+             folder.string());
   const fs::path estimated = folder / "tags_estimated.yaml";
   if (track.estimated_ids.empty()) {
     std::error_code error;

@@ -214,7 +214,7 @@ TEST(FollowTool, RefusesAnotherStreamThanThatOfItsState) {
   const Path other = WriteTestFile(folder / "b.csv", "0,1,0\n0.07,1,0.02\n0.14,1,0.03\n");
   const ToolRun run = RunToolBinaryOn(other, "fathom_follow", flags);
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("stdin:3: column 't' goes from 0.07 to 0.14 and leaves out 0.1"));
+  EXPECT_THAT(run.err, HasSubstr("stdin:3: t = 0.14 comes without a line 0.1,1,0.02 before it"));
 }
 
 TEST(FollowTool, WritesItsStateOnTheWay) {

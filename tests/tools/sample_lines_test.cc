@@ -87,7 +87,7 @@ TEST(SampleLines, RefuseStampsThatDoNotRise) {
 TEST(SampleLines, PassOverAStreamUpToWhereTheyGoOn) {
   std::istringstream in("4,1,2\n5,1,2\n5.5,1,2\n6,1,2\n7,1,2\n");
   SampleLines lines("stdin", &in);
-  lines.GoOnBehind(5.5, "s.json");
+  lines.GoOnBehind({5.5, 1.0, 2.0}, "s.json");
   EXPECT_EQ(lines.Next()->t, 6.0);
   EXPECT_EQ(lines.num_passed_over(), 3);
   EXPECT_EQ(lines.Next()->t, 7.0);
@@ -95,12 +95,15 @@ TEST(SampleLines, PassOverAStreamUpToWhereTheyGoOn) {
 }
 
 TEST(SampleLines, RefuseToGoOnInAnotherStream) {
-  std::istringstream in("5,1,2\n6,1,2");
-  SampleLines lines("stdin", &in);
-  lines.GoOnBehind(5.5, "s.json");
-  EXPECT_EQ(ErrorFrom([&] { lines.Next(); }),
-            "stdin:2: column 't' goes from 5 to 6 and leaves out 5.5, the last stamp of s.json. "
-            "Expected the same stream again, or one that begins behind it.");
+  // Other stamps, and the same ones with other values.
+  for (const char* text : {"5,1,2\n6,1,2", "5.5,1,3\n6,1,2"}) {
+    std::istringstream in(text);
+    SampleLines lines("stdin", &in);
+    lines.GoOnBehind({5.5, 1.0, 2.0}, "s.json");
+    EXPECT_EQ(ErrorFrom([&] { lines.Next(); }),
+              "stdin:2: t = 6 comes without a line 5.5,1,2 before it, the last sample of s.json. "
+              "Expected the same stream again, or one that begins behind it.");
+  }
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis of one DOF
 constexpr double kLeastMissed = 0.01;  // of the motion: of less nobody asks the cause
 
 bool IsOffDiagonal(const FreeEntry& entry) {
@@ -66,7 +65,7 @@ CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
     const std::vector<FreeRun> runs = RunsAlong(dof, identified);
     diagnosis.scatter_nmae[at] = NmaeOfScatter(runs);
     const double nmae = FiguresOfRuns(runs).nmae;
-    if (nmae > std::max(kMissesMotion * diagnosis.scatter_nmae[at], kLeastMissed)) {
+    if (nmae > std::max(kMuchMoreThanScatter * diagnosis.scatter_nmae[at], kLeastMissed)) {
       diagnosis.missed.push_back(dof);
     }
   }

@@ -154,12 +154,11 @@ std::optional<std::string> UnitFin(const CoupledLogs& logs, const std::vector<Do
 // A caveat on the DOFs of which free runs miss much, and far more than scatters from sample to
 // sample; empty where there is none.
 std::string CaveatOnPoorFit(const CoupledIdentification& identified) {
-  constexpr double kFarAboveScatter = 3.0;
   std::vector<std::string> poor;
   for (const Dof dof : identified.fitted.model.dofs) {
     const double nmae = identified.fitted.train[static_cast<std::size_t>(Index(dof))].nmae;
     const double scatter = NmaeOfScatter(RunsAlong(dof, identified));
-    if (!(nmae > kPoorFit) || nmae < kFarAboveScatter * scatter) continue;
+    if (!(nmae > kPoorFit) || nmae < kMuchMoreThanScatter * scatter) continue;
     poor.push_back(fmt::format("{:.0f} % of {}", 100.0 * nmae, Name(dof)));
   }
   if (poor.empty()) return "";

@@ -3,6 +3,7 @@
 
 #include "fathom/planning/open_causes.h"
 
+#include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/files/effect_entries.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kMissesMotion = 3.0;  // times the scatter; as in the diagnosis
 
 // Of an alternative, which stands under `candidates` too; nothing if it has no numbers there.
 std::optional<ActiveEffect> EffectOfCandidate(const JsonValue& candidate, Dof dof) {
@@ -91,7 +90,7 @@ OpenCauses ReadOpenCauses(const std::string& name,
   const std::vector<JsonValue> causes = AmbiguousCauses(file);
   if (causes.empty()) return open;
   const double scatter = file.NumberIfThere("noise_nmae") * fitted.train.mae / fitted.train.nmae;
-  open.noise = fitted.train.mae > kMissesMotion * scatter ? fitted.train.mae : scatter;
+  open.noise = fitted.train.mae > kMuchMoreThanScatter * scatter ? fitted.train.mae : scatter;
   const std::vector<JsonValue> candidates = file.Member("candidates").List();
   std::string leader;
   for (const JsonValue& cause : causes) {

@@ -27,4 +27,7 @@ double ScatterVariance(std::span<const FreeRun> runs);
 // three samples in a row.
 double NmaeOfScatter(std::span<const FreeRun> runs);
 
+// From so many times that on, a model misses some of the motion.
+inline constexpr double kMuchMoreThanScatter = 3.0;
+
 }  // namespace fathom

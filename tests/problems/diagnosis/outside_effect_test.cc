@@ -8,7 +8,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/search/suspects.h"
-#include "fathom/synthesize/effects/hidden_effects.h"
+#include "fathom/synthesize/effects/parse_hidden_effects.h"
 #include "fathom/vehicle/effects/catalogue.h"
 
 #include <algorithm>

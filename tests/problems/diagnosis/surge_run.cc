@@ -3,7 +3,7 @@
 
 #include "surge_run.h"
 
-#include "fathom/synthesize/effects/hidden_effects.h"
+#include "fathom/synthesize/effects/parse_hidden_effects.h"
 #include "fathom/synthesize/synthesize.h"
 
 #include <cstddef>

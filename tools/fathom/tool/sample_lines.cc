@@ -45,8 +45,8 @@ std::string NamesIn(const std::vector<std::string_view>& cells) {
 
 SampleLines::SampleLines(std::string name, std::istream* in) : name_(std::move(name)), in_(in) {}
 
-void SampleLines::GoOnBehind(double t, const std::string& from) {
-  behind_ = t;
+void SampleLines::GoOnBehind(const SampleLine& last, const std::string& from) {
+  behind_ = last;
   behind_from_ = from;
 }
 
@@ -105,20 +105,21 @@ void SampleLines::RequireRising(double t) const {
                    t));
 }
 
-bool SampleLines::IsPassedOver(double t) {
+bool SampleLines::IsPassedOver(const SampleLine& sample) {
   if (!behind_) return false;
-  if (t <= *behind_) {
-    holds_behind_ = t == *behind_;
+  if (sample.t <= behind_->t) {
+    holds_behind_ = sample == *behind_;
     ++num_passed_over_;
     return true;
   }
   if (num_passed_over_ > 0 && !holds_behind_) {
     Fail(
-        fmt::format("column 't' goes from {} to {} and leaves out {}, the last stamp of {}. "
+        fmt::format("t = {} comes without a line {},{},{} before it, the last sample of {}. "
                     "Expected the same stream again, or one that begins behind it.",
-                    *last_stamp_,
-                    t,
-                    *behind_,
+                    sample.t,
+                    behind_->t,
+                    behind_->force,
+                    behind_->velocity,
                     behind_from_));
   }
   behind_.reset();
@@ -143,7 +144,7 @@ std::optional<SampleLine> SampleLines::Next() {
     }
     const SampleLine sample = {NumberIn(0), NumberIn(1), NumberIn(2)};
     RequireRising(sample.t);
-    const bool is_passed_over = IsPassedOver(sample.t);
+    const bool is_passed_over = IsPassedOver(sample);
     last_stamp_ = sample.t;
     if (!is_passed_over) return sample;
   }

@@ -17,6 +17,8 @@ struct SampleLine {
   double t = 0.0;         // [s]
   double force = 0.0;     // tau [N] or [N m], held from t on
   double velocity = 0.0;  // v [m/s] or [rad/s]
+
+  bool operator==(const SampleLine&) const = default;
 };
 
 // Reads the lines t,tau,v of a stream that may still grow, each as soon as it is there.
@@ -28,9 +30,9 @@ class SampleLines {
   // `name` stands for the stream in messages; `in` must outlive this.
   SampleLines(std::string name, std::istream* in);
 
-  // Goes on behind this stamp; `from` says where it stands. A stream that begins anew is passed
-  // over up to there, where it holds a line of that stamp.
-  void GoOnBehind(double t, const std::string& from);
+  // Goes on behind this sample; `from` says where it stands. A stream that begins anew is passed
+  // over up to it, and has to hold it: another one may have the same stamps.
+  void GoOnBehind(const SampleLine& last, const std::string& from);
 
   // The next sample; nothing at the end of the stream. Waits for a line. Throws InputError, with
   // line, column, what was found and what was expected, for a cell that is no finite number, a
@@ -49,7 +51,7 @@ class SampleLines {
   void TakeNames();
   double NumberIn(std::size_t role) const;
   void RequireRising(double t) const;
-  bool IsPassedOver(double t);
+  bool IsPassedOver(const SampleLine& sample);
   [[noreturn]] void Fail(const std::string& problem) const;
 
   std::string name_;
@@ -63,9 +65,9 @@ class SampleLines {
   std::array<std::size_t, 3> column_ = {0, 1, 2};  // of t, tau and v
   std::vector<std::string> not_read_;
   std::optional<double> last_stamp_;
-  std::optional<double> behind_;
+  std::optional<SampleLine> behind_;
   std::string behind_from_;
-  bool holds_behind_ = false;  // a line of that stamp
+  bool holds_behind_ = false;
   long num_passed_over_ = 0;
 };
 

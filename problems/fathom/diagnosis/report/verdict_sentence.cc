@@ -7,6 +7,7 @@
 #include "fathom/diagnosis/report/large_residual.h"
 #include "fathom/diagnosis/report/moved_parameter.h"
 #include "fathom/diagnosis/report/suspect_signals.h"
+#include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/files/model_file.h"
 
 #include <algorithm>
@@ -20,8 +21,6 @@
 
 namespace fathom {
 namespace {
-
-constexpr double kMuchMoreThanScatter = 3.0;  // at which an error without a cause needs a word
 
 constexpr std::array<const char*, 4> kCounts = {"no", "one", "two", "three"};
 

@@ -124,8 +124,9 @@ StructureFit LikelierUnder(const SearchTask& task,
 // likelier under it. A gain has to come of a cause, and the likelihood of a noise has maxima of its
 // own.
 HypothesisBook WithOneNoise(const SearchTask& task, int size, HypothesisBook book) {
+  constexpr int kMostRounds = 3;
   if (task.options.criterion == Criterion::kFreeRun) return book;
-  for (int round = 0; round < task.options.most_rounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<int> ranked = book.RankedOfSize(size);
     if (ranked.empty() || !(book.Worth(ranked.front()) > book.Worth(book.best()))) break;
     const NoiseModel noise = book[ranked.front()].fit.noise;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/synthesize/effects/hidden_effects.h"
+#include "fathom/synthesize/effects/parse_hidden_effects.h"
 
 #include "fathom/base/random_stream.h"
 #include "fathom/synthesize/effects/given_effect.h"

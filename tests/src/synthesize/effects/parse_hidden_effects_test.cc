@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/synthesize/effects/hidden_effects.h"
+#include "fathom/synthesize/effects/parse_hidden_effects.h"
 
 #include "fathom/base/input_error.h"
 #include "fathom/synthesize/effects/unlisted_effects.h"
@@ -60,7 +60,7 @@ std::string MessageOf(const std::string& text) {
   return ErrorFrom([&] { Parse(text); });
 }
 
-TEST(HiddenEffects, ReadsNamesValuesDofsAndPartners) {
+TEST(ParseHiddenEffects, ReadsNamesValuesDofsAndPartners) {
   EXPECT_TRUE(Parse("").empty());
   const auto effects = Parse(
       "thruster_lag:time_constant=0.5,yaw.buoyancy_step:time=40:jump=-2.5,"
@@ -81,12 +81,12 @@ TEST(HiddenEffects, ReadsNamesValuesDofsAndPartners) {
   EXPECT_EQ(Describe(effects[2]), "sway.velocity_coupling: coefficient = 3 kg/s, partner yaw");
 }
 
-TEST(HiddenEffects, TakesTheRmsOfTheCommandAsReference) {
+TEST(ParseHiddenEffects, TakesTheRmsOfTheCommandAsReference) {
   EXPECT_DOUBLE_EQ(Parse("thrust_curve")[0].setting.reference_force, 20.0);
   EXPECT_DOUBLE_EQ(Parse("yaw.thrust_curve")[0].setting.reference_force, 5.0);
 }
 
-TEST(HiddenEffects, ChoosesAPartnerThatCanBeOne) {
+TEST(ParseHiddenEffects, ChoosesAPartnerThatCanBeOne) {
   EXPECT_EQ(Parse("velocity_coupling")[0].setting.partner, Dof::kSway);
   EXPECT_EQ(Parse("yaw.velocity_coupling")[0].setting.partner, Dof::kSurge);
   EXPECT_EQ(Parse("lever_arm")[0].setting.partner, Dof::kYaw);
@@ -94,7 +94,7 @@ TEST(HiddenEffects, ChoosesAPartnerThatCanBeOne) {
   EXPECT_EQ(Parse("sensor_misalignment")[0].setting.partner, Dof::kSway);
 }
 
-TEST(HiddenEffects, DrawsWhatIsNotGivenFromItsOwnNumbers) {
+TEST(ParseHiddenEffects, DrawsWhatIsNotGivenFromItsOwnNumbers) {
   const auto alone = Parse("buoyancy_step");
   EXPECT_EQ(Parse("buoyancy_step")[0].values, alone[0].values);
   EXPECT_EQ(Parse("thruster_lag,buoyancy_step")[1].values, alone[0].values);
@@ -103,7 +103,7 @@ TEST(HiddenEffects, DrawsWhatIsNotGivenFromItsOwnNumbers) {
   EXPECT_THAT(Parse("buoyancy_step:time=33")[0].values, ElementsAre(alone[0].values[0], 33.0));
 }
 
-TEST(HiddenEffects, SaysWhatThereIs) {
+TEST(ParseHiddenEffects, SaysWhatThereIs) {
   EXPECT_THAT(MessageOf("thruster_lagg"),
               AllOf(HasSubstr("--effects: 'thruster_lagg' is no effect, expected one of "
                               "time_offset, thrust_dead_zone, "),
@@ -135,7 +135,7 @@ TEST(HiddenEffects, SaysWhatThereIs) {
   EXPECT_THAT(MessageOf("thruster_lag:partner=yaw"), HasSubstr("sets no parameter"));
 }
 
-TEST(HiddenEffects, RefusesToDrawFromNothing) {
+TEST(ParseHiddenEffects, RefusesToDrawFromNothing) {
   std::array<Scales, 6> scales = {};
   EXPECT_THAT([&] { ParseHiddenEffects("cubic_damping", SurgeSwayYaw(), scales, 1); },
               testing::ThrowsMessage<InputError>(HasSubstr("cubic_damping's coefficient cannot be "
