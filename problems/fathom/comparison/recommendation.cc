@@ -63,7 +63,7 @@ Recommendation Recommend(const DofComparison& comparison) {
   });
   Recommendation recommendation;
   recommendation.taken = *std::ranges::min_element(rows, {}, [&](const Identification* row) {
-    return std::pair(RankOf(row->family), score(row));
+    return std::pair(RankOf(row->stand_in.value_or(row->family)), score(row));
   });
   for (const Identification* row : rows) {
     if (row != recommendation.taken) recommendation.as_good.push_back(row);

@@ -31,6 +31,9 @@ struct Identification {
   std::string message;  // why it ended as it did, for a person
   FittedModel fitted;   // its figures by free runs; NaN where not usable
 
+  // Of joint alone: the family whose model stands in for a refinement that is none; OrBestGuess().
+  std::optional<Family> stand_in;
+
   // Of output error alone, else empty: "plain" or "learned"; and for a person why not as asked.
   std::string weighting;
   std::string weighting_reason;

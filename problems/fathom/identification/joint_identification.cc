@@ -62,6 +62,7 @@ Identification OrBestGuess(Identification joint,
   joint.is_usable = true;
   joint.message = why;
   joint.fitted = best->fitted;
+  joint.stand_in = best->family;
   joint.fitted.caveats.insert(joint.fitted.caveats.begin(), why);
   return joint;
 }

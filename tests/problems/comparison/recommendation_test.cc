@@ -90,6 +90,20 @@ TEST(Recommend, DoesNotTakeTheAdaptiveLawForALeadThatIsChance) {
                 "alone), but by no more than chance");
 }
 
+// A joint row whose refinement failed holds the model of another family, and ranks as that.
+TEST(Recommend, RanksAStandInAsWhatItIs) {
+  const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
+  Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kYaw}});
+  DofComparison& dof = comparison.dofs.front();
+  Identification joint =
+      *std::ranges::find(dof.rows, Family::kLeastSquares, &Identification::family);
+  joint.family = Family::kJoint;
+  dof.rows.push_back(joint);
+  EXPECT_EQ(Recommend(dof).taken->family, Family::kJoint);
+  dof.rows.back().stand_in = Family::kLeastSquares;
+  EXPECT_EQ(Recommend(dof).taken->family, Family::kOutputError);
+}
+
 TEST(Recommend, NeverTakesAnUnusableModel) {
   const Log log = ReadLog(FATHOM_DATA_DIR "/flatfish");
   Comparison comparison = Compare({&log, 1}, {.dofs = {Dof::kSurge}});

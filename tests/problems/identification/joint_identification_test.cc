@@ -44,6 +44,7 @@ TEST_F(OrBestGuessOf, ARefinementThatFailedIsTheBestGuess) {
             "The joint refinement has no usable model: the command never changes This is the model "
             "of the initial guess by output_error on the poses.");
   EXPECT_EQ(row.fitted.caveats.front(), row.message);
+  EXPECT_EQ(row.stand_in, Family::kOutputError);
 }
 
 TEST_F(OrBestGuessOf, ARefinementThatIsWorseOnHeldOutDataIsTheBestGuess) {
