@@ -16,6 +16,7 @@
 #include "fathom/check/log_checkup.h"
 #include "fathom/check/logs_checkup.h"
 #include "fathom/check/logs_text.h"
+#include "fathom/log/hold_out.h"
 #include "fathom/tool/correct_flag.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/held_out_flag.h"
@@ -72,6 +73,7 @@ int CheckLogs(const std::vector<std::string>& paths) {
     logs.push_back(checked.back().checkup.log);
   }
   RequireDifferentData(logs);
+  RequireHeldOutInside(HeldOutFromFlag(), logs);
   const std::vector<DofOfLogs> dofs = CompareLogs(checked);
   PrintText(stdout, FormatLogs(checked, dofs, TableForTerminal));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatLogsJson(checked, dofs));
@@ -87,6 +89,7 @@ int CheckLog() {
   if (paths.size() > 1) return CheckLogs(paths);
   const LogCheckup checkup =
       CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag());
+  RequireHeldOutInside(HeldOutFromFlag(), {&checkup.log, 1});
   PrintText(stdout, FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
   if (!FLAGS_report.empty()) {

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/log/hold_out.h"
 #include "fathom/log/log_text.h"
 #include "fathom/open_log/open_log.h"
 
@@ -127,7 +128,9 @@ OpenedLog LogFromArrays(const py::object& command,
   text.pose = FileOf("pose", pose);
   text.held_out = HeldOutOf(info.held_out);
   const py::gil_scoped_release release;
-  return {OpenLogText(text), info.name, "", HeldOutText(info.held_out), true};
+  Log log = OpenLogText(text);
+  RequireHeldOutInside(text.held_out, {&log, 1});
+  return {std::move(log), info.name, "", HeldOutText(info.held_out), true};
 }
 
 }  // namespace fathom

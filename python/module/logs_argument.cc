@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/exists.h"
 #include "fathom/base/input_error.h"
+#include "fathom/log/hold_out.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/open_log/open_log.h"
 
@@ -60,6 +61,7 @@ OpenedLog OpenPath(const std::string& path, const OpenLogArguments& arguments) {
   options.may_lack_motion = true;
   options.may_lack_command = true;
   Log log = OpenLog(path, options);
+  RequireHeldOutInside(options.held_out, {&log, 1});
   // A motion in detections alone becomes poses, where the calibration serves.
   if (arguments.is_tracked && !log.velocity && !log.pose && log.detections) {
     TrackDetectionsIfUsable(&log);

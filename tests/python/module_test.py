@@ -541,7 +541,7 @@ class Refusals(Scratch):
         self.refuses("fathom_import --from=.* --suggest > map", fathom.open_log, foreign)
 
     def test_remarks_name_options_as_python_has_them(self):
-        log = fathom.open_log(FLATFISH, held_out=[(900, 950)], correct={"u": 1.0}, late={"u": 0.1})
+        log = fathom.open_log(FLATFISH, held_out=[(9.01, 9.02)], correct={"u": 1.0}, late={"u": 0.1})
         self.assertIn("velocity.csv: u 0.1 s earlier, as correct, late says.", log.remarks)
         self.assertTrue(any(text.startswith("held_out: [") for text in log.remarks), log.remarks)
 
@@ -571,6 +571,9 @@ class Refusals(Scratch):
         self.refuses("seed: goes with a model", fathom.diagnose, FLATFISH, dofs=["yaw"], seed=2)
         model = fathom.identify(FLATFISH, dof="surge", family="least_squares").model
         self.refuses("horizon: goes with", fathom.simulate, model, FLATFISH, horizon=5.0)
+
+    def test_held_out_outside_the_log(self):
+        self.refuses("held_out: 9000:9100 lies outside", fathom.open_log, FLATFISH, held_out=[(9000, 9100)])
 
     def test_arrays_that_are_no_streams(self):
         t, v = coasting()

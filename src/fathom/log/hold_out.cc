@@ -3,10 +3,15 @@
 
 #include "fathom/log/hold_out.h"
 
+#include "fathom/base/input_error.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace fathom {
 namespace {
@@ -32,6 +37,18 @@ bool HoldsASample(const TimeInterval& interval, const std::optional<Stream>& str
          });
 }
 
+// From the first to the last stamp of the motion, or of the command where there is none.
+TimeInterval SpanOf(const Log& log) {
+  std::optional<TimeInterval> span;
+  for (const auto* stream : {&log.velocity, &log.pose, &log.detections}) {
+    if (!*stream) continue;
+    const TimeInterval own = {.from = (*stream)->time.front(), .to = (*stream)->time.back()};
+    span = span ? TimeInterval{std::min(span->from, own.from), std::max(span->to, own.to)} : own;
+  }
+  if (span) return *span;
+  return {.from = StartOf(log), .to = log.command ? log.command->time.back() : StartOf(log)};
+}
+
 }  // namespace
 
 void HoldOut(const std::vector<TimeInterval>& asked, Log* log) {
@@ -49,6 +66,26 @@ void HoldOut(const std::vector<TimeInterval>& asked, Log* log) {
                                         asked.empty() ? "log.yaml: held_out" : "--held_out:",
                                         interval.from,
                                         interval.to)});
+  }
+}
+
+void RequireHeldOutInside(const std::vector<TimeInterval>& asked, std::span<const Log> logs) {
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    std::vector<std::string> spans;
+    for (const Log& log : logs) {
+      const TimeInterval span = SpanOf(log), held_out = log.held_out[i];
+      if (held_out.from <= span.to && span.from <= held_out.to) break;
+      const double zero = held_out.from - asked[i].from;
+      spans.push_back(fmt::format(
+          "{} lasts from {:.1f} to {:.1f} s", log.path.string(), span.from - zero, span.to - zero));
+    }
+    if (spans.size() < logs.size()) continue;
+    throw InputError(
+        fmt::format("--held_out: {:g}:{:g} lies outside the data, expected seconds "
+                    "within them: {}.",
+                    asked[i].from,
+                    asked[i].to,
+                    fmt::join(spans, ", ")));
   }
 }
 

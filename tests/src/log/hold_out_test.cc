@@ -3,6 +3,9 @@
 
 #include "fathom/log/hold_out.h"
 
+#include <vector>
+
+#include "error_from.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -59,6 +62,26 @@ TEST(HoldOut, SaysWhoHoldsNothingOut) {
   EXPECT_EQ(log.remarks[0].text, "--held_out: [100, 200] holds no sample of the motion.");
   HoldOut({}, &log);
   EXPECT_THAT(log.remarks.back().text, HasSubstr("log.yaml: held_out [100, 200] holds no sample"));
+}
+
+TEST(HoldOut, RefusesAnIntervalOutsideTheLog) {
+  const std::vector<TimeInterval> asked = {{.from = 80.0, .to = 200.0},
+                                           {.from = 100.0, .to = 200.0}};
+  const auto refusal = [&](std::vector<Log> logs) {
+    for (Log& log : logs) HoldOut(asked, &log);
+    return ErrorFrom([&] { RequireHeldOutInside(asked, logs); });
+  };
+  Log dive = LogFrom(0.0), epoch = LogFrom(1433350600.25);
+  dive.path = "dive";
+  epoch.path = "epoch";
+  EXPECT_EQ(refusal({dive}),
+            "--held_out: 100:200 lies outside the data, expected seconds within them: dive lasts "
+            "from 0.0 to 89.0 s.");
+  EXPECT_THAT(refusal({epoch}), HasSubstr("epoch lasts from 0.0 to 89.0 s."));
+  EXPECT_THAT(refusal({dive, epoch}), HasSubstr("dive lasts from 0.0 to 89.0 s, epoch lasts from"));
+  // In one of several logs is enough.
+  Log later = LogFrom(90.0);
+  EXPECT_EQ(refusal({dive, later}), "no error");
 }
 
 }  // namespace

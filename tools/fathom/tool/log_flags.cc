@@ -4,6 +4,7 @@
 #include "fathom/tool/log_flags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/log/hold_out.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/open_log/open_log.h"
@@ -76,6 +77,7 @@ std::vector<Log> OpenLogs(std::optional<Dof> dof, bool may_lack_motion, bool may
     logs.push_back(OpenLog(path, options, DefaultVehicleFromFlag()));
   }
   RequireDifferentData(logs);
+  RequireHeldOutInside(options.held_out, logs);
   if (!may_lack_motion) RequireTrainingData(logs);
   return logs;
 }
