@@ -210,9 +210,7 @@ int Run() {
   if (!FLAGS_map.empty() && !FLAGS_maps.empty()) {
     throw InputError("--maps: chooses a map, expected it without --map.");
   }
-  const std::filesystem::path folder = OutputFolder(
-      RequireFlag("out", FLAGS_out, "the folder of the log to write"), FLAGS_overwrite);
-  RequireWritableFolder(folder);
+  RequireFlag("out", FLAGS_out, "the folder of the log to write");
 
   std::filesystem::path vehicle_file = FLAGS_vehicle;
   std::optional<Vehicle> vehicle;
@@ -227,6 +225,9 @@ int Run() {
   if (map.camera) {
     RequireCameraFiles(*map.camera, std::filesystem::path(FLAGS_map).parent_path());
   }
+  const std::filesystem::path folder =
+      OutputFolder(FLAGS_out, FLAGS_overwrite, map.camera ? map.camera->Files().front().first : "");
+  RequireWritableFolder(folder);
   const auto recording = OpenRecording(file, map.table);
   RequireSamples(file, recording->contents());
   ImportedLog imported = ImportLog(file, *recording, map, vehicle);

@@ -140,7 +140,7 @@ int Run() {
   const std::filesystem::path folder =
       OutputFolder(RequireFlag("out", FLAGS_out, "the folder of the log to write"),
                    FLAGS_overwrite,
-                   FLAGS_render);
+                   FLAGS_render ? "frames" : "");
   RequireWritableFolder(folder);
   RequireOutside(folder, "truth", FLAGS_truth);
   RequireOutputs({{"truth", FLAGS_truth}}, {FLAGS_vehicle, FLAGS_experiment, FLAGS_film});

@@ -150,6 +150,12 @@ TEST(TrackTool, TracksTheVideoThatAnImportPutBesideARecording) {
                                      Flag("out", folder / "log")});
   EXPECT_THAT(imported.out, HasSubstr("note: the motion is in the video. This tracks it: "));
   EXPECT_EQ(Bytes(folder / "log/dive.avi"), Bytes(folder / "dive.avi"));
+  RunsWell("fathom_import",
+           {Flag("from", folder / "vehicle.csv"),
+            Flag("map", folder / "map.yaml"),
+            Flag("out", folder / "log"),
+            "--overwrite"});
+  EXPECT_EQ(Bytes(folder / "log/dive.avi"), Bytes(folder / "dive.avi"));
 
   RunsWell(Track(folder / "log", {Flag("out", folder / "out")}));
   const CsvTable first = PosesIn(folder / "first"), again = PosesIn(folder / "out");

@@ -26,13 +26,14 @@ bool HoldsRenderedFramesOnly(const std::filesystem::path& frames) {
 }
 
 // What a folder holds that no program of Fathom has written; empty if there is nothing.
-std::string ForeignFileIn(const std::filesystem::path& folder, bool makes_images) {
+std::string ForeignFileIn(const std::filesystem::path& folder, const std::string& images) {
   std::set<std::string> written = FilesOfLog(folder);
-  if (!makes_images) written.erase("frames.csv");
+  if (images != "frames") written.erase("frames.csv");
+  written.insert(images);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory()) {
-      if (makes_images && name == "frames" && HoldsRenderedFramesOnly(entry.path())) continue;
+      if (name == "frames" && name == images && HoldsRenderedFramesOnly(entry.path())) continue;
       return name;
     }
     if (!written.contains(name)) return name;
@@ -42,7 +43,9 @@ std::string ForeignFileIn(const std::filesystem::path& folder, bool makes_images
 
 }  // namespace
 
-std::filesystem::path OutputFolder(const std::string& out, bool overwrite, bool makes_images) {
+std::filesystem::path OutputFolder(const std::string& out,
+                                   bool overwrite,
+                                   const std::string& images) {
   const std::filesystem::path folder = out;
   // Without a slash at the end, which would make the temporary's place be inside it.
   const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
@@ -60,7 +63,7 @@ std::filesystem::path OutputFolder(const std::string& out, bool overwrite, bool 
                                  is_log ? ", expected --overwrite to replace the log in it"
                                         : " and holds no log, expected a new folder"));
   }
-  if (const std::string foreign = ForeignFileIn(named, makes_images); !foreign.empty()) {
+  if (const std::string foreign = ForeignFileIn(named, images); !foreign.empty()) {
     throw InputError(
         fmt::format("--out={}: the log in it holds {}, which this program did not write and cannot "
                     "make again, expected a new folder, or a log without images to replace. Remove "

@@ -11,11 +11,11 @@ namespace fathom {
 
 // The folder that --out names: a new or empty one, or, with `overwrite`, one that holds a log and
 // nothing that Fathom could not have written: a camera's images or a video cannot be made
-// again. `makes_images`: the program writes a folder `frames` itself. Throws InputError for any
-// other folder.
+// again. `images`: what of these the program writes itself, the folder `frames` or a video by its
+// name. Throws InputError for any other folder.
 std::filesystem::path OutputFolder(const std::string& out,
                                    bool overwrite,
-                                   bool makes_images = false);
+                                   const std::string& images = "");
 
 // Throws InputError, naming the flag, if the file that it asks for lies in the output folder. No
 // file: an empty name.
