@@ -125,6 +125,20 @@ void RequireWritable(const fs::path& out) {
   }
 }
 
+// Throws if there is nothing to draw on: poses need detections alone, an overlay needs images.
+void RequireImages(const TrackInput& input) {
+  try {
+    input.Frames();
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("--overlay={}: is drawn on the images that the detections are of, "
+                    "and they cannot be opened. {} Leave out --overlay: the poses do "
+                    "without it.",
+                    FLAGS_overlay,
+                    error.what()));
+  }
+}
+
 // The log with its detections: those it holds, or those found in its images.
 TrackInput InputOf(const fs::path& folder, const MarkerTrajectoryOptions& options) {
   const bool from_detections = StartsFromDetections(folder);
@@ -135,7 +149,7 @@ TrackInput InputOf(const fs::path& folder, const MarkerTrajectoryOptions& option
     RequireNoDetectorFlags(folder);
     input.name = (folder / "detections.csv").string();
     input.detections = DetectionsOf(*input.log.detections);
-    if (!FLAGS_overlay.empty()) input.Frames();  // refuses where there is nothing to draw on
+    if (!FLAGS_overlay.empty()) RequireImages(input);
     return input;
   }
   Progress progress("frame");

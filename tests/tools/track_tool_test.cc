@@ -199,15 +199,21 @@ TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   const std::vector<std::string> again = {Flag("log", folder / "out"),
                                           Flag("out", folder / "again")};
   RunsWell("fathom_track", again);
-  for (const std::string& more :
-       {std::string("--from=images"), Flag("overlay", folder / "a.png")}) {
-    const std::vector<std::string> arguments = {
-        Flag("log", folder / "out"), Flag("out", folder / "third"), more};
-    EXPECT_EQ(ExpectRefusal("fathom_track", arguments, folder),
-              "fathom_track: " + (folder / "out").string() +
-                  ": holds no images: no frames.csv, and log.yaml names no video. See "
-                  "docs/file_formats.md.\n");
-  }
+  const auto refusal_with = [&](const std::string& more) {
+    return ExpectRefusal(
+        "fathom_track", {Flag("log", folder / "out"), Flag("out", folder / "third"), more}, folder);
+  };
+  const std::string no_images =
+      (folder / "out").string() +
+      ": holds no images: no frames.csv, and log.yaml names no video. See "
+      "docs/file_formats.md.";
+  EXPECT_EQ(refusal_with("--from=images"), "fathom_track: " + no_images + "\n");
+  // Detections are enough for poses, but not for an overlay.
+  const std::string overlay = Flag("overlay", folder / "a.png");
+  EXPECT_EQ(refusal_with(overlay),
+            "fathom_track: " + overlay +
+                ": is drawn on the images that the detections are of, and they cannot be opened. " +
+                no_images + " Leave out --overlay: the poses do without it.\n");
 }
 
 // The map of the new log is the one that its poses rest on.
