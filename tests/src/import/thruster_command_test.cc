@@ -144,6 +144,19 @@ TEST(ThrusterCommand, TellsCommandsBeyondTheTable) {
   EXPECT_THAT(imported.remarks, Contains(HasSubstr("1 row of 3 lie beyond a thrust table")));
 }
 
+// PX4 sends 900 us while it is disarmed, also to a motor that turns the other way round.
+TEST(ThrusterCommand, OfADisarmedAutopilotIsOff) {
+  const ImportedLog imported = ImportThrusters(
+      "t [s],a,b\n0,900,900\n1,1900,1500\n2,1100,1080\n3,1500,900\n",
+      "command: {unit: us, thruster_1: {field: a, reversed: true}, thruster_2: b, voltage: 12}\n",
+      VehicleWith("us", kTable));
+  EXPECT_THAT(Column(imported, "tau_surge"), testing::ElementsAre(0, -30, 38 - 30, 0));
+  EXPECT_THAT(imported.remarks,
+              testing::IsSupersetOf({HasSubstr("thruster_1: at 1 row of 4 the output is off"),
+                                     HasSubstr("thruster_2: at 2 rows of 4 the output is off"),
+                                     HasSubstr("1 row of 4 lie beyond a thrust table")}));
+}
+
 TEST(ThrusterCommand, MayBeAShareOfFullCommand) {
   const ImportedLog imported =
       ImportThrusters("t [s],a [%],b [%]\n0,0,0\n1,50,-100\n",

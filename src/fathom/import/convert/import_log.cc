@@ -21,6 +21,10 @@
 namespace fathom {
 namespace {
 
+// A pulse so far below a thrust table commands nothing: the output is off, as at PX4's 900 us while
+// it is disarmed [us].
+constexpr double kOffBelow = 50.0;
+
 constexpr double kLongestVoltageGap = 60.0;  // [s] that a measured voltage stands for
 
 // A voltage that is taken from farther away than this is told.
@@ -92,6 +96,37 @@ std::vector<double> VoltageAt(const std::filesystem::path& file,
   return std::vector<double>(time.size(), voltage);
 }
 
+// Makes 0, which is no thrust, of the pulses of outputs that are off. Of a reversed thruster they
+// lie above its table.
+void SwitchOff(const StreamMap& map,
+               const Vehicle& vehicle,
+               Stream* pulses,
+               std::vector<std::string>* remarks) {
+  for (std::size_t i = 0; i < vehicle.thrusters.size(); ++i) {
+    const std::string name = fmt::format("thruster_{}", i + 1);
+    const auto column = std::ranges::find(pulses->columns, name);
+    const ThrustTable* table = TableOf(vehicle.thrusters[i], vehicle);
+    if (column == pulses->columns.end() || table == nullptr) continue;
+    const bool is_reversed = map.Find(name)->is_reversed;
+    std::size_t num_off = 0;
+    for (double& pulse : pulses->values[column - pulses->columns.begin()]) {
+      const bool is_off = is_reversed ? pulse > table->commands.back() + kOffBelow
+                                      : pulse < table->commands.front() - kOffBelow;
+      if (!is_off) continue;
+      ++num_off;
+      pulse = 0.0;
+    }
+    if (num_off == 0) continue;
+    remarks->push_back(
+        fmt::format("command: {}: at {} of {} the output is off (no pulse, or one "
+                    "over {:g} us below the thrust table), and gives no thrust.",
+                    name,
+                    Plural(num_off, "row"),
+                    pulses->time.size(),
+                    kOffBelow));
+  }
+}
+
 // The thrusts [N] that were commanded; speeds in Hz stay, and Fathom turns them by the vehicle
 // file.
 Stream ThrusterCommand(const std::filesystem::path& file,
@@ -111,6 +146,7 @@ Stream ThrusterCommand(const std::filesystem::path& file,
                     vehicle.name));
   }
   if (dimension == Dimension::kRotation || dimension == Dimension::kForce) return stream;
+  if (dimension == Dimension::kPulse) SwitchOff(*map.command, vehicle, &stream, remarks);
   std::size_t num_beyond = 0;
   Stream thrusts = ThrustsFromTables(stream,
                                      dimension == Dimension::kPulse ? "us" : "1",
