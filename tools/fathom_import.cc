@@ -26,6 +26,7 @@
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -33,6 +34,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(
@@ -108,14 +110,38 @@ void TellDamage(const std::filesystem::path& file, const Contents& contents) {
   for (const std::string& remark : contents.remarks) PrintText(stderr, "note: " + remark + "\n");
 }
 
-// On stderr, of a recording that holds none of what a map needs. Its remarks may say why.
+// "/imu (sensor_msgs/Imu), /tf (tf2_msgs/TFMessage)", or of a single channel its fields.
+std::string WhatItHolds(const Contents& contents) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> names;
+  if (contents.channels.size() == 1) {
+    for (const Field& field : contents.channels.front().fields) names.push_back(field.name);
+  } else {
+    for (const Channel& channel : contents.channels) {
+      names.push_back(channel.type.empty() ? channel.name
+                                           : fmt::format("{} ({})", channel.name, channel.type));
+    }
+  }
+  const std::size_t num_more = names.size() - std::min(names.size(), kMost);
+  names.resize(names.size() - num_more);
+  return ShownOnOneLine(fmt::format("{}", fmt::join(names, ", "))) +
+         (num_more == 0 ? "" : fmt::format(" and {} more", num_more));
+}
+
+// Of a recording that holds none of what a map needs.
+std::string NothingRecognised(const std::filesystem::path& file, const Contents& contents) {
+  return fmt::format(
+      "{0}: nothing in it was recognised, expected {1}. It holds {2}. fathom_import --from={0} "
+      "--list tells more. Write into a map which of it is the command and the motion, as "
+      "docs/import.md shows.",
+      file.string(),
+      WhatIsLookedFor(contents.format),
+      WhatItHolds(contents));
+}
+
+// On stderr. Its remarks may say why.
 void TellNothingRecognised(const std::filesystem::path& file, const Contents& contents) {
-  PrintText(stderr,
-            fmt::format("fathom_import: {0}: nothing in it was recognised, expected {1}. "
-                        "fathom_import --from={0} --list says what it holds; docs/import.md says "
-                        "how a map is written by hand.\n",
-                        file.string(),
-                        WhatIsLookedFor(contents.format)));
+  PrintText(stderr, fmt::format("fathom_import: {}\n", NothingRecognised(file, contents)));
   if (!contents.IsComplete()) return;  // TellDamage() told them
   for (const std::string& remark : contents.remarks) PrintText(stderr, "note: " + remark + "\n");
 }
@@ -145,7 +171,8 @@ int Suggest(const std::filesystem::path& file) {
 // The text of the map to go by: that of --map, or one that the format makes sure of.
 std::string MapText(const std::filesystem::path& file, const std::optional<Vehicle>& vehicle) {
   if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
-  const SuggestedMap suggested = SuggestMap(*OpenRecording(file), vehicle, OwnMaps());
+  const auto recording = OpenRecording(file);
+  const SuggestedMap suggested = SuggestMap(*recording, vehicle, OwnMaps());
   if (suggested.is_ready) return suggested.text;
   if (!suggested.unknown.empty()) {
     throw InputError(fmt::format(
@@ -165,6 +192,9 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
         FLAGS_vehicle,
         file.string(),
         suggested.why_not_ready));
+  }
+  if (!suggested.NamesAStream() && !suggested.needs_vehicle) {
+    throw InputError("--map: is missing. " + NothingRecognised(file, recording->contents()));
   }
   throw InputError(fmt::format(
       "--map: is missing, expected a map file that says what the channels of {0} are. This prints "

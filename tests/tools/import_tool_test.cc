@@ -162,7 +162,13 @@ TEST(ImportTool, RefusesToSuggestAMapOfWhatItDoesNotKnow) {
   EXPECT_THAT(run.err,
               AllOf(HasSubstr(file.string() + ": nothing in it was recognised, expected fields"),
                     HasSubstr("tau_surge"),
+                    HasSubstr("It holds a, beans, peas. "),
                     HasSubstr("--list")));
+  // The import itself does not send there.
+  const ToolRun import = Import({"--from=" + file.string(), "--out=" + (folder / "log").string()});
+  EXPECT_EQ(import.exit_code, 1);
+  EXPECT_THAT(import.err,
+              AllOf(HasSubstr("It holds a, beans, peas. "), Not(HasSubstr("--suggest"))));
 }
 
 TEST(ImportTool, TellsDamageBesideTheMapThatItSuggests) {
