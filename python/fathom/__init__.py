@@ -262,7 +262,8 @@ def refine(
 def simulate(model, log, *, keep_run_effects=False, horizon=None):
     """What a model predicts for a log from its command alone, scored against its measurement.
 
-    model             a Model, a CoupledModel, or the path of a model or verdict file
+    model             a Model, a CoupledModel, what identify(), refine() or diagnose() returns, or the
+                      path of a model or verdict file
     log               a Log, or a path
     keep_run_effects  keep effects of a run (a current, a bias) also on other logs
     horizon           of a CoupledModel: begin anew from the measured state after so long [s]
@@ -270,7 +271,7 @@ def simulate(model, log, *, keep_run_effects=False, horizon=None):
     A Prediction of a Model, a CoupledPrediction of a CoupledModel.
     """
     if not isinstance(model, (Model, CoupledModel)):
-        model = read_model(model)
+        model = model.model if hasattr(model, "model") else read_model(model)
     if isinstance(model, Model):
         if horizon is not None:
             raise ValueError(

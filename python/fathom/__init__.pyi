@@ -468,11 +468,17 @@ def compare(
 ) -> Comparison: ...
 @overload
 def simulate(
-    model: Model, log: _LogLike, *, keep_run_effects: bool = ...
+    model: Union[Model, Identification, Refinement, Diagnosis],
+    log: _LogLike,
+    *,
+    keep_run_effects: bool = ...,
 ) -> Prediction: ...
 @overload
 def simulate(
-    model: CoupledModel, log: _LogLike, *, horizon: Optional[float] = ...
+    model: Union[CoupledModel, CoupledIdentification, CoupledRefinement, CoupledDiagnosis],
+    log: _LogLike,
+    *,
+    horizon: Optional[float] = ...,
 ) -> CoupledPrediction: ...
 @overload
 def simulate(

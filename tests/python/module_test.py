@@ -572,6 +572,17 @@ class Refusals(Scratch):
         model = fathom.identify(FLATFISH, dof="surge", family="least_squares").model
         self.refuses("horizon: goes with", fathom.simulate, model, FLATFISH, horizon=5.0)
 
+    def test_simulate_takes_what_identify_returns(self):
+        surge = fathom.identify(FLATFISH, dof="surge", family="least_squares")
+        ours = fathom.simulate(surge, FLATFISH)
+        self.assertEqual(ours.to_dict(), fathom.simulate(surge.model, FLATFISH).to_dict())
+        t = np.arange(0.0, 60.0, 0.1)
+        command = {"t": t, "tau_surge": np.where(t < 30.0, 5.0, -5.0)}
+        still = fathom.Log.from_arrays(command, {"t": t, "u": np.full(t.size, 0.3)}, dof="surge")
+        unusable = fathom.identify(still, dof="surge")
+        self.assertFalse(unusable.is_usable)
+        self.refuses("usable", fathom.simulate, unusable, FLATFISH)
+
     def test_held_out_outside_the_log(self):
         self.refuses("held_out: 9000:9100 lies outside", fathom.open_log, FLATFISH, held_out=[(9000, 9100)])
 
