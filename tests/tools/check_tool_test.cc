@@ -11,6 +11,7 @@
 #include "checked_dive.h"
 #include "expect_refusal.h"
 #include "saved_files.h"
+#include "turn_without_command.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -35,6 +36,24 @@ TEST_F(CheckTool, SaysOfALogWithoutACommandThatItIsAFreeDecay) {
   const ToolRun run = RunsWell("fathom_check", {"--log=" + csv, "--dof=yaw"});
   EXPECT_THAT(run.out, HasSubstr("yellow  free_decay        There is no command, so that this is"));
   EXPECT_THAT(run.out, HasSubstr("next: fathom_identify --log=" + csv + " --dof=yaw"));
+}
+
+TEST_F(CheckTool, AsksForNoInertiaThatTheVehicleFileTells) {
+  const Path log = EmptyTestFolder() / "turn";
+  std::filesystem::create_directories(log);
+  const Path csv = TurnWithoutCommand(log, /*decays=*/true);
+  std::string text = TextOf(csv);
+  text.replace(text.find("t,v"), 3, "t,r");
+  WriteTestFile(log / "velocity.csv", text);
+  WriteTestFile(log / "log.yaml", "name: turn\ndof: yaw\nvehicle: rov.yaml\n");
+  const auto check = [&](const std::string& vehicle) {
+    WriteTestFile(log / "rov.yaml", vehicle);
+    return RunsWell("fathom_check", {Flag("log", log)}).out;
+  };
+  EXPECT_THAT(check("name: rov\n"),
+              AllOf(HasSubstr("the damping of yaw by the inertia."), HasSubstr("Give `inertia`")));
+  EXPECT_THAT(check("name: rov\ninertia: {yaw: 5.45}\n"),
+              AllOf(HasSubstr("the damping of yaw.\n"), Not(HasSubstr("Give `inertia`"))));
 }
 
 TEST_F(CheckTool, IsGreenOnSoundLogs) {

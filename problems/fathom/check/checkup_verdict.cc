@@ -93,9 +93,9 @@ std::string Verdict(const LogCheckup& checkup) {
   const std::vector<std::string> usable = UsableDofs(checkup);
   if (const std::vector<std::string> decays = DecayingDofs(checkup);
       usable.empty() && !decays.empty()) {
-    return fmt::format(
-        "Nothing drives this log. Its free decay tells the damping of {} by the inertia.",
-        Listed(decays));
+    return fmt::format("Nothing drives this log. Its free decay tells the damping of {}{}.",
+                       Listed(decays),
+                       DofsWith("free_decay", checkup).empty() ? "" : " by the inertia");
   }
   if (usable.empty() && HasSurfaces(checkup)) {
     return "No model of one DOF comes of this log: its fins or shafts act in one of several.";

@@ -173,7 +173,7 @@ void LookAtDecay(const Log& log, DofCheckup* checkup) {
   checkup->decays = true;
   checkup->findings.push_back(
       {Severity::kNote,
-       "free_decay",
+       decay.inertia ? "scaled_decay" : "free_decay",
        fmt::format(
            "{}, so that this is a free decay, from {}. It tells {}. "
            "fathom_identify --log={} --dof={}",

@@ -163,9 +163,11 @@ std::string QuantitiesText(const LogDecay& decay) {
 }
 
 std::string DecaySentence(const LogDecay& decay) {
-  const std::string rule =
-      fmt::format("Nothing drives {}: without a command, only ratios to the inertia can be known",
-                  Name(decay.dof));
+  const std::string rule = fmt::format(
+      "Nothing drives {}: without a command, {}",
+      Name(decay.dof),
+      decay.inertia ? "the damping is known as far as the inertia of the vehicle file is"
+                    : "only ratios to the inertia can be known");
   return decay.summary.IsUsable()
              ? fmt::format("{}. This free decay tells {}.", rule, QuantitiesText(decay))
              : fmt::format(

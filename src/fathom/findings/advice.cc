@@ -145,6 +145,11 @@ constexpr Entry kAdvice[] = {
       "another field holds the stamps."}},
     {"sampling_rate",
      {"The fit is slow, or sees nothing of the dynamics.", "Check the unit of `t`."}},
+    {"scaled_decay",
+     {"The parameters are wrong by the factor by which the inertia of the vehicle file is. No "
+      "error "
+      "of a command is in them.",
+      "Fit them: fathom_identify takes the inertia as it stands."}},
     {"sentinel",
      {"Single rows decide the model.", "Take the rows without a reading out of the file."}},
     {"short_log",

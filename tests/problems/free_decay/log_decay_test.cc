@@ -17,6 +17,7 @@ namespace fathom {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double kReleased = 10.0;  // [s]
 
@@ -174,7 +175,9 @@ TEST(LogDecay, GivesTheParametersWhereTheInertiaIsKnown) {
   const Log log = TurnLog();
   LogDecay decay = FitLogDecay({&log, 1});
   EXPECT_FALSE(ModelOf(decay).has_value());
+  EXPECT_THAT(DecaySentence(decay), HasSubstr("only ratios to the inertia can be known"));
   decay.inertia = 5.45;
+  EXPECT_THAT(DecaySentence(decay), Not(HasSubstr("only ratios to the inertia")));
   const auto quantities = QuantitiesOf(decay);
   ASSERT_EQ(quantities.size(), 6U);
   EXPECT_EQ(quantities[3].name, "linear_damping");
