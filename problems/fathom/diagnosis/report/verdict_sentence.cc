@@ -274,10 +274,11 @@ std::string WithoutCauses(const Diagnosis& diagnosis) {
   }
   if (const auto missed = LargeResidual(diagnosis);
       missed && diagnosis.verdict == Verdict::kConsistent) {
-    text += fmt::format(
-        " Simulated from the command alone, the model misses up to {:.0f} % of the "
-        "motion.",
-        100.0 * *missed);
+    text += fmt::format("{} the command alone, the model misses up to {:.0f} % of the motion.",
+                        diagnosis.wander_ratio > kMuchMoreThanScatter
+                            ? " Simulated from"
+                            : " But the noise is large: simulated from",
+                        100.0 * *missed);
   }
   const double nmae = diagnosis.baseline.held_out.nmae;
   if (std::isfinite(nmae)) {
