@@ -53,7 +53,8 @@ JointSummary FitJoint(const JointInput& input, const JointOptions& options) {
   JointSummary other = FitFrom(input, options, StartPoses::kHeldStill);
   if (other.IsUsable() && (other.settled || !summary.IsUsable())) return other;
   if (summary.converged) return summary;
-  if (const std::string why = FailedAssumption(input, options); !why.empty()) {
+  const bool reached_setup = summary.reached_setup || other.reached_setup;
+  if (const std::string why = FailedAssumption(input, options, reached_setup); !why.empty()) {
     summary.message += " " + why;
   }
   return summary;

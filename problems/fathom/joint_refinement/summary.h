@@ -45,8 +45,9 @@ struct JointSummary {
   std::string message = "FitJoint() was not called.";
   bool converged = false;
   bool determined = false;
-  bool settled = false;     // the estimate of the processes; see the caveats where it did not
-  int num_iterations = -1;  // of Ceres, over all rounds
+  bool settled = false;        // the estimate of the processes; see the caveats where it did not
+  bool reached_setup = false;  // the search came to where size and mount move if they are free
+  int num_iterations = -1;     // of Ceres, over all rounds
   int num_rounds = -1;
   double initial_cost = kNotComputed;
   double final_cost = kNotComputed;

@@ -52,6 +52,7 @@ BoundedOptimum SearchActiveSet(const std::vector<int>& bounded,
   const std::vector<double> start = search->Point();
   BoundedOptimum best = SolveFeasible(bounded, {}, search);
   if (!best.converged) {
+    if (bounded.empty()) return best;
     // Far from its optimum a model without bounds may run off to where nothing can be simulated.
     // The bounds keep it back: all held, to be let go one by one.
     search->GoTo(start);

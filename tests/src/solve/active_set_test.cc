@@ -182,6 +182,7 @@ class EndlessSlope final : public BoundedSearch {
  public:
   Optimum Solve(const std::vector<int>& held) override {
     if (!held.empty()) return {true, 3.0 + x_, "converged"};
+    ++num_solves;
     x_ -= 1000.0;
     return {false, 3.0 + x_, "out of iterations"};
   }
@@ -189,6 +190,8 @@ class EndlessSlope final : public BoundedSearch {
   void SetToZero(int) override { x_ = 0.0; }
   std::vector<double> Point() const override { return {x_}; }
   void GoTo(const std::vector<double>& point) override { x_ = point[0]; }
+
+  int num_solves = 0;
 
  private:
   double x_ = 5.0;
@@ -201,6 +204,13 @@ TEST(ActiveSet, HoldsWhatGoesDownBelowItsBoundWithoutEnd) {
   EXPECT_EQ(found.held, std::vector<int>{0});
   EXPECT_EQ(found.cost, 3.0);
   EXPECT_EQ(search.Value(0), 0.0);
+}
+
+// There is no bound to start from: it would be the same search again.
+TEST(ActiveSet, DoesNotRepeatASearchWithoutBounds) {
+  EndlessSlope search;
+  EXPECT_FALSE(SearchActiveSet({}, kResolution, &search).converged);
+  EXPECT_EQ(search.num_solves, 1);
 }
 
 TEST(ActiveSet, SaysWhyThereIsNoOptimum) {

@@ -98,4 +98,23 @@ bool EvaluateCorners(const CameraSetup& setup,
                     : Evaluate<6>(setup, unknowns, marker, detection, eta, corner_sigma, rows);
 }
 
+bool EvaluateResidual(const CameraSetup& setup,
+                      const SetupUnknowns& unknowns,
+                      const Marker& marker,
+                      const Detection& detection,
+                      const PoseVector& eta,
+                      double corner_sigma,
+                      Eigen::Matrix<double, 8, 1>* residual) {
+  Eigen::Matrix<double, 8, 1> pixels;
+  if (!ProjectCorners(
+          setup, marker, eta.data(), unknowns.size_scale, unknowns.mount.data(), &pixels)) {
+    return false;
+  }
+  const double weight = 1.0 / corner_sigma;
+  for (int row = 0; row < 8; ++row) {
+    (*residual)[row] = weight * (pixels[row] - detection.corners[row / 2][row % 2]);
+  }
+  return true;
+}
+
 }  // namespace fathom

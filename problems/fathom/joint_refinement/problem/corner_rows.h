@@ -49,4 +49,13 @@ bool EvaluateCorners(const CameraSetup& setup,
                      bool with_setup,
                      CornerRows* rows);
 
+// The residual alone, in a fraction of the time.
+bool EvaluateResidual(const CameraSetup& setup,
+                      const SetupUnknowns& unknowns,
+                      const Marker& marker,
+                      const Detection& detection,
+                      const PoseVector& eta,
+                      double corner_sigma,
+                      Eigen::Matrix<double, 8, 1>* residual);
+
 }  // namespace fathom

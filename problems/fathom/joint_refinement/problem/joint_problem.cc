@@ -3,10 +3,9 @@
 
 #include "fathom/joint_refinement/problem/joint_problem.h"
 
-#include "fathom/joint_refinement/problem/corner_cost.h"
 #include "fathom/joint_refinement/problem/deviation_blocks.h"
+#include "fathom/joint_refinement/problem/frame_cost.h"
 #include "fathom/joint_refinement/problem/linear_cost.h"
-#include "fathom/joint_refinement/problem/make_clipped_loss.h"
 #include "fathom/joint_refinement/problem/motion_callback.h"
 
 #include <algorithm>
@@ -15,7 +14,6 @@
 #include <vector>
 
 #include <ceres/cost_function.h>
-#include <ceres/loss_function.h>
 #include <ceres/problem.h>
 
 namespace fathom {
@@ -41,31 +39,19 @@ struct Assembly {
 };
 
 // The corners of a segment.
-void AddCorners(const Assembly& to,
-                size_t r,
-                bool with_clock,
-                const MotionCallback& motions,
-                ceres::LossFunction* loss) {
+void AddCorners(const Assembly& to, size_t r, bool with_clock, const MotionCallback& motions) {
   const JointSegment& segment = to.data.segments[r];
   SegmentUnknowns& own = to.unknowns->segments[r];
   const size_t n = to.moving.size();
   for (size_t k = 0; k < segment.detections.size(); ++k) {
+    if (segment.detections[k].empty()) continue;
     std::vector<double*> list;
     if (n > 0) list.push_back(&to.blocks->deviation[r][k * n]);
     list.insert(list.end(), {to.unknowns->model.data(), own.start.data(), own.response.data()});
     if (with_clock) list.push_back(&own.clock_offset);
-    for (const Detection& detection : segment.detections[k]) {
-      auto cost = MakeCornerCost({to.data,
-                                  motions,
-                                  to.moving,
-                                  *to.unknowns,
-                                  to.processes.corner_sigma,
-                                  r,
-                                  k,
-                                  detection,
-                                  with_clock});
-      to.problem->AddResidualBlock(cost.release(), loss, list);
-    }
+    auto cost = MakeFrameCost(
+        {to.data, motions, to.moving, *to.unknowns, to.processes.corner_sigma, r, k, with_clock});
+    to.problem->AddResidualBlock(cost.release(), nullptr, list);
   }
 }
 
@@ -153,12 +139,10 @@ BoundedSolve SolveJoint(JointData* data,
   MotionCallback motions(data, unknowns, options.without_model);
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &motions;
-  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  const auto loss = MakeClippedLoss(data->loss_limit);
   ceres::Problem problem(problem_options);
   const Assembly assembly = {*data, processes, moving, unknowns, &blocks, &problem};
   for (size_t r = 0; r < data->segments.size(); ++r) {
-    AddCorners(assembly, r, priors[r].std[kClockColumn] > 0.0, motions, loss.get());
+    AddCorners(assembly, r, priors[r].std[kClockColumn] > 0.0, motions);
     if (options.without_model) {
       problem.SetParameterBlockConstant(unknowns->segments[r].start.data());
       problem.SetParameterBlockConstant(unknowns->segments[r].response.data());

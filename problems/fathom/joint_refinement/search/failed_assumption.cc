@@ -56,9 +56,11 @@ std::string FailedSize(const JointInput& input, JointOptions options) {
 
 }  // namespace
 
-std::string FailedAssumption(const JointInput& input, const JointOptions& options) {
+std::string FailedAssumption(const JointInput& input,
+                             const JointOptions& options,
+                             bool reached_setup) {
   const std::string clock = FailedClock(input, options);
-  return clock.empty() ? FailedSize(input, options) : clock;
+  return clock.empty() && reached_setup ? FailedSize(input, options) : clock;
 }
 
 }  // namespace fathom

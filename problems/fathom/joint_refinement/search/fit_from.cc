@@ -184,6 +184,7 @@ JointSummary FitFrom(const JointInput& input, const JointOptions& options, Start
   std::vector<std::vector<Pose>> world_from_body;
   for (const CameraSegment& segment : input.segments)
     world_from_body.push_back(segment.world_from_body);
+  bool reached_setup = false;
   for (int search = 1;; ++search) {
     const std::vector<Pose> frames = FramesOf(input.dof, world_from_body);
     std::vector<std::vector<Pose>> frame_from_body = world_from_body;
@@ -191,6 +192,7 @@ JointSummary FitFrom(const JointInput& input, const JointOptions& options, Start
       for (Pose& pose : frame_from_body[r]) pose = frames[r].Inverse() * pose;
     }
     JointSummary summary = FitInFrames(input, own, start, frames, frame_from_body);
+    reached_setup = summary.reached_setup = reached_setup || summary.reached_setup;
     if (!summary.IsUsable() || search == kMostSearches) return summary;
     for (size_t r = 0; r < frames.size(); ++r) {
       world_from_body[r] = summary.segments[r].world_from_body;

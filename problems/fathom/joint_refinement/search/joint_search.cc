@@ -133,6 +133,7 @@ bool SearchJoint(const JointOptions& options,
     const bool is_last = summary->num_rounds == options.max_rounds;
     if (has_settled || is_last) {
       end->likelihood_settled = has_settled;
+      summary->reached_setup = true;
       if (is_setup_found) return true;
       if (!MoveSetup(options, at, end, summary)) return false;
       is_setup_found = true;

@@ -53,8 +53,8 @@ ProcessFit Maximise(std::span<const LinearSegment> segments,
     constexpr int kMostHalvings = 8;
     int halvings = 0;
     for (; halvings < kMostHalvings; ++halvings, step *= 0.4) {
-      next = likelihood.At(x + step, is_em);
-      if (next.is_usable && next.value > now.value + 1e-4 * step.dot(now.slope)) break;
+      next = likelihood.At(x + step, is_em, now.value + 1e-4 * step.dot(now.slope));
+      if (next.is_usable) break;
     }
     if (halvings == kMostHalvings) {
       // No ascent along a direction of ascent: good enough if little was to be gained.

@@ -191,7 +191,8 @@ ProcessLikelihood::ProcessLikelihood(std::span<const LinearSegment> segments,
 }
 
 ProcessLikelihood::Value ProcessLikelihood::At(const Eigen::VectorXd& x,
-                                               bool with_information) const {
+                                               bool with_information,
+                                               double least) const {
   ++num_evaluations_;
   const int n = parameters_.size();
   Value result;
@@ -200,6 +201,7 @@ ProcessLikelihood::Value ProcessLikelihood::At(const Eigen::VectorXd& x,
   if (!joint.is_usable()) return result;
   const Eigen::ArrayXd z = (x - centre_).array() / width_.array();
   result.value = joint.log_likelihood() - 0.5 * z.square().sum();
+  if (!(result.value > least)) return result;
   result.slope = -z / width_.array();
   result.complete_information = Eigen::MatrixXd::Zero(n, n);
   result.complete_information.diagonal() = width_.array().square().inverse();

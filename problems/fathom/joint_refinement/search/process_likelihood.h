@@ -6,6 +6,7 @@
 #include "fathom/joint_refinement/problem/linear_joint.h"
 #include "fathom/joint_refinement/search/process_parameters.h"
 
+#include <limits>
 #include <span>
 
 #include <Eigen/Core>
@@ -32,7 +33,10 @@ class ProcessLikelihood {
   };
 
   // Fisher's identity: the slope is the expected slope of the density of states and data together.
-  Value At(const Eigen::VectorXd& x, bool with_information) const;
+  // Not usable, and without a slope, where the likelihood is not above `least`.
+  Value At(const Eigen::VectorXd& x,
+           bool with_information,
+           double least = -std::numeric_limits<double>::infinity()) const;
 
   const ProcessParameters& parameters() const { return parameters_; }
   int num_evaluations() const { return num_evaluations_; }

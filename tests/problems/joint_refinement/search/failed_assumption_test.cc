@@ -4,6 +4,7 @@
 #include "fathom/joint_refinement/search/failed_assumption.h"
 
 #include "fathom/joint_refinement/joint_refinement.h"
+#include "fathom/joint_refinement/search/fit_from.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ TEST(FailedAssumption, IsTheClockWhereThatIsOff) {
                                              .duration = 60.0,
                                              .clock_offset = 0.3,
                                              .seed = 3});
-  const std::string text = FailedAssumption(run.input, {});
+  const std::string text = FailedAssumption(run.input, {}, true);
   EXPECT_THAT(text, HasSubstr("The corners contradict an exact camera clock"));
   EXPECT_NEAR(OffsetIn(text), 0.3, 0.03);
 }
@@ -51,6 +52,22 @@ TEST(FailedAssumption, IsACaveatWhereTheSearchEndsNonetheless) {
   });
   ASSERT_NE(caveat, summary.caveats.end());
   EXPECT_NEAR(OffsetIn(*caveat), 0.3, 0.1);
+}
+
+// Size and mount move once the processes have settled. A search that ends before is the same with a
+// free size, which is not searched for then.
+TEST(FailedAssumption, IsNotTheSizeWhereTheSearchDoesNotComeToIt) {
+  const SyntheticCameraRun run =
+      Synthesize({.dof = Dof::kSurge, .input = InputKind::kMultisine, .duration = 20.0});
+  JointOptions options;
+  options.max_iterations = 1;
+  const JointSummary held = FitFrom(run.input, options, StartPoses::kTracked);
+  ASSERT_FALSE(held.converged);
+  EXPECT_FALSE(held.reached_setup);
+  options.size_scale_std = 0.1;
+  const JointSummary free = FitFrom(run.input, options, StartPoses::kTracked);
+  EXPECT_FALSE(free.converged);
+  EXPECT_EQ(free.final_cost, held.final_cost);
 }
 
 TEST(FailedAssumption, IsNoneWhereTheClockIsRight) {
