@@ -29,7 +29,7 @@ TEST(PlanTool, WritesACommandWithinItsLimits) {
   EXPECT_EQ(plan.at("schema"), "fathom-plan-1");
   EXPECT_GE(plan.at("distance_range").at(0), -2.0);
   EXPECT_LE(plan.at("distance_range").at(1), 3.0);
-  EXPECT_LE(plan.at("share_breaking"), 0.05);
+  EXPECT_LE(plan.at("share_breaking"), 0.01);
   EXPECT_NEAR(plan.at("parameters").at("inertia").at("std_before"), 0.4, 1e-9);
   EXPECT_THAT(TextOf(inputs.At("plan.html")), HasSubstr("The next experiment: surge"));
 }

@@ -20,7 +20,9 @@ namespace {
 constexpr int kNumModelsInSearch = 64;
 constexpr int kNumModelsBesideRivals = 24;
 constexpr int kNumModelsInCheck = 400;
-constexpr double kShareAllowed = 0.05;  // of the models that may break a limit
+constexpr double kWiderInSearch =
+    1.5;  // the covariance of what is drawn: few models stand for rare ones
+constexpr double kShareAllowed = 0.01;  // of the models that may break a limit
 constexpr int kNumTrials = 6;           // with limits narrower from one to the next
 constexpr double kNarrower = 0.95;
 constexpr double kLargestPeriod = 0.1;  // of the stamps in the search [s]
@@ -92,7 +94,9 @@ RunStamps StampsOf(const PlanRequest& request,
 bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPlan* plan) {
   RandomStream random(request.seed, "planning.models");
   CommandTask task = TaskOf(request, plan->duration, stamps.period, stamps.noise);
-  task.models = DrawModels(request.model,
+  FittedModel wider = request.model;
+  wider.covariance *= kWiderInSearch;
+  task.models = DrawModels(wider,
                            request.rivals.empty() ? kNumModelsInSearch : kNumModelsBesideRivals,
                            request.name,
                            random);

@@ -60,7 +60,7 @@ TEST_P(DrawnVehicle, IsKnownBestByItsPlannedExperiment) {
   // Also while it coasts behind the command.
   EXPECT_TRUE(
       KeepsTankLimits(RunTruth(vehicle.truth, plan.command, kPlanned + 10.0), vehicle.limits));
-  EXPECT_LE(plan.share_breaking, 0.05);
+  EXPECT_LE(plan.share_breaking, 0.01);
 
   const FittedModel fitted = FitTankLog(MeasuredRun(run, plan.command, seed + 100));
   for (int i = 0; i < kNumParameters; ++i) {
