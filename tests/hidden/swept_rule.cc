@@ -36,6 +36,7 @@ Change Of(T SearchOptions::*rule) {
 const std::map<std::string, Change>& Changes() {
   static const std::map<std::string, Change> changes = {
       {"material_rest", Of(&VerdictRules::material_rest)},
+      {"clear_rest_of_one_input", Of(&VerdictRules::clear_rest_of_one_input)},
       {"share_of_work_at_first", Of(&VerdictRules::share_of_work_at_first)},
       {"more_than_scatter", Of(&VerdictRules::more_than_scatter)},
       {"loss_too_much", Of(&VerdictRules::loss_too_much)},

@@ -10,7 +10,6 @@
 #include "fathom/solve/decompositions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -67,25 +66,32 @@ std::vector<double> Lagged(const Points& points,
   return lagged;
 }
 
+std::vector<double> ColumnOf(const Points& points, double (*function)(const RunPoint&)) {
+  std::vector<double> values;
+  values.reserve(points.size());
+  for (const RunPoint& point : points) values.push_back(function(point));
+  return values;
+}
+
+std::vector<std::vector<double>> ProductsOfCommandAndSpeed(const Points& points) {
+  return {ColumnOf(points, [](const RunPoint& p) { return p.command * p.velocity; }),
+          ColumnOf(points, [](const RunPoint& p) { return std::abs(p.command) * p.velocity; }),
+          ColumnOf(points, [](const RunPoint& p) { return p.command * std::abs(p.velocity); })};
+}
+
 std::vector<std::vector<double>> FreeForces(const Points& points) {
-  const auto column = [&](const auto& function) {
-    std::vector<double> values;
-    values.reserve(points.size());
-    for (const auto& point : points) values.push_back(function(point));
-    return values;
-  };
-  const auto command = column([](const auto& p) { return p.command; });
-  const auto speed = column([](const auto& p) { return p.velocity; });
+  const auto command = ColumnOf(points, [](const RunPoint& p) { return p.command; });
+  const auto speed = ColumnOf(points, [](const RunPoint& p) { return p.velocity; });
   std::vector<std::vector<double>> forces;
   AppendHats(command, 7, &forces);
   AppendHats(speed, 7, &forces);
-  AppendHats(column([](const auto& p) { return p.position; }), 5, &forces);
+  AppendHats(ColumnOf(points, [](const RunPoint& p) { return p.position; }), 5, &forces);
   for (const double time_constant : {0.3, 1.0, 3.0, 10.0}) {
     forces.push_back(Lagged(points, command, time_constant));
   }
-  forces.push_back(column([](const auto& p) { return p.command * p.velocity; }));
-  forces.push_back(column([](const auto& p) { return std::abs(p.command) * p.velocity; }));
-  forces.push_back(column([](const auto& p) { return p.command * std::abs(p.velocity); }));
+  for (std::vector<double>& product : ProductsOfCommandAndSpeed(points)) {
+    forces.push_back(std::move(product));
+  }
   return forces;
 }
 
@@ -128,6 +134,7 @@ std::vector<std::pair<std::string_view, std::vector<std::vector<double>>>> Forms
     warmth.push_back(Lagged(points, effort, time_constant));
     for (size_t i = 0; i < points.size(); ++i) warmth.back()[i] *= command[i];
   }
+  forms.emplace_back("command and speed", ProductsOfCommandAndSpeed(points));
   return forms;
 }
 
@@ -143,39 +150,87 @@ Eigen::VectorXd ResidualAfter(const RowMajorMatrix& columns,
   return residual - columns * LeastSquares(J, block.rightCols(1));
 }
 
-// What forces of one kind would gain.
-RemainingStructure RemainingOf(const std::vector<std::vector<double>>& forces,
-                               const ForceResponse& response,
-                               const TrainingData& data,
-                               const StructureFit& fit) {
-  RemainingStructure remaining;
+// The columns of forces of one kind beside those of the fit, each of length 1.
+RowMajorMatrix DesignOf(const std::vector<std::vector<double>>& forces,
+                        const ForceResponse& response,
+                        const StructureFit& fit) {
   const Eigen::Index num_fitted = fit.jacobian.cols();
-  RowMajorMatrix design(data.bins().size(), num_fitted + static_cast<Eigen::Index>(forces.size()));
+  RowMajorMatrix design(fit.jacobian.rows(), num_fitted + static_cast<Eigen::Index>(forces.size()));
   design.leftCols(num_fitted) = fit.jacobian;
   for (size_t k = 0; k < forces.size(); ++k) {
     design.col(num_fitted + static_cast<Eigen::Index>(k)) = response.Outputs(forces[k]);
   }
   for (auto column : design.colwise()) column /= std::max(column.norm(), 1e-300);
-  constexpr double kLeastPivot = 1e-5;
-  const Eigen::Index rank = RankOf(design, kLeastPivot);
-  const Eigen::Index own_rank = RankOf(design.leftCols(num_fitted), kLeastPivot);
-  constexpr Eigen::Index kSamplesPerColumn = 5;
-  if (rank <= own_rank || design.rows() < kSamplesPerColumn * rank) return remaining;
+  return design;
+}
 
+// Of the residual beside these columns, the noise learned along; minus infinity where it cannot be.
+double LogLikelihoodBeside(const RowMajorMatrix& design,
+                           const TrainingData& data,
+                           const StructureFit& fit) {
   Whitener whitener(fit.noise, data.samples());
   Eigen::VectorXd residual = ResidualAfter(design, fit.residual, whitener);
   FitNoiseOptions options;
   options.damping_rate = data.DampingRate(fit.model.baseline);
   const NoiseFit noise =
       FitNoise(data.samples(), std::span(residual.data(), residual.size()), design, options);
-  if (!std::isfinite(noise.log_likelihood)) return remaining;
+  if (!std::isfinite(noise.log_likelihood)) return -INFINITY;
   whitener = Whitener(noise.model, data.samples());
   residual = ResidualAfter(design, fit.residual, whitener);
-  const double log_likelihood = whitener.LogLikelihood(std::span(residual.data(), residual.size()));
-  remaining.num_columns = static_cast<int>(rank - own_rank);
-  remaining.gain = std::max(0.0, 2.0 * (log_likelihood - fit.log_likelihood));
-  remaining.p_value = Eigen::numext::igammac(0.5 * remaining.num_columns, 0.5 * remaining.gain);
+  return whitener.LogLikelihood(std::span(residual.data(), residual.size()));
+}
+
+// What each kind of forces would gain. Learned anew, the noise of the fit alone may be likelier
+// too, at another maximum: that is no gain of the forces.
+std::vector<RemainingStructure> RemainingOf(
+    const std::vector<std::vector<std::vector<double>>>& kinds,
+    const ForceResponse& response,
+    const TrainingData& data,
+    const StructureFit& fit) {
+  constexpr double kLeastPivot = 1e-5;
+  constexpr Eigen::Index kSamplesPerColumn = 5;
+  const RowMajorMatrix own = DesignOf({}, response, fit);
+  const Eigen::Index own_rank = RankOf(own, kLeastPivot);
+  std::vector<RemainingStructure> remaining(kinds.size());
+  std::vector<double> log_likelihoods(kinds.size() + 1, -INFINITY);
+  ParallelFor(static_cast<int>(kinds.size()) + 1, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (k == kinds.size()) {
+      log_likelihoods[k] = LogLikelihoodBeside(own, data, fit);
+      return;
+    }
+    const RowMajorMatrix design = DesignOf(kinds[k], response, fit);
+    const Eigen::Index rank = RankOf(design, kLeastPivot);
+    if (rank <= own_rank || design.rows() < kSamplesPerColumn * rank) return;
+    log_likelihoods[k] = LogLikelihoodBeside(design, data, fit);
+    remaining[k].num_columns = static_cast<int>(rank - own_rank);
+  });
+  const double without = std::max(fit.log_likelihood, log_likelihoods.back());
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    RemainingStructure& of_kind = remaining[k];
+    if (!std::isfinite(log_likelihoods[k])) of_kind.num_columns = 0;
+    if (of_kind.num_columns == 0) continue;
+    of_kind.gain = std::max(0.0, 2.0 * (log_likelihoods[k] - without));
+    of_kind.p_value = Eigen::numext::igammac(0.5 * of_kind.num_columns, 0.5 * of_kind.gain);
+  }
   return remaining;
+}
+
+// What forms of each input would gain, of those that can be tried.
+std::vector<std::pair<std::string_view, RemainingStructure>> TriedByInput(const TrainingData& data,
+                                                                          const StructureFit& fit) {
+  const ForceResponse response(&data, fit);
+  if (response.is_empty()) return {};
+  std::vector<std::pair<std::string_view, RemainingStructure>> tried;
+  std::vector<std::vector<std::vector<double>>> kinds;
+  for (auto& [input, forces] : FormsByInput(response.points())) {
+    tried.emplace_back(input, RemainingStructure());
+    kinds.push_back(std::move(forces));
+  }
+  const std::vector<RemainingStructure> remaining = RemainingOf(kinds, response, data, fit);
+  for (std::size_t k = 0; k < tried.size(); ++k) tried[k].second = remaining[k];
+  std::erase_if(tried, [](const auto& form) { return form.second.num_columns == 0; });
+  return tried;
 }
 
 }  // namespace
@@ -185,32 +240,32 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   if (response.is_empty()) return {};
   const Points& points = response.points();
   constexpr int kLooks = 2;
-  std::array<RemainingStructure, kLooks> looks;
-  ParallelFor(kLooks, [&](int k) {
-    looks[k] =
-        RemainingOf(k == 0 ? FreeForces(points) : ThrustOverTime(points), response, data, fit);
-  });
-  auto& [remaining, over_time] = looks;
+  const std::vector<RemainingStructure> looks =
+      RemainingOf({FreeForces(points), ThrustOverTime(points)}, response, data, fit);
+  RemainingStructure remaining = looks.front();
   if (remaining.num_columns == 0) return remaining;
-  if (over_time.p_value < std::min(remaining.p_value, RemainingStructure::kClear / kLooks)) {
-    remaining = over_time;
+  if (looks.back().p_value < std::min(remaining.p_value, RemainingStructure::kClear / kLooks)) {
+    remaining = looks.back();
   }
   remaining.p_value = std::min(1.0, kLooks * remaining.p_value);
   return remaining;
 }
 
+RemainingStructure FindRemainingOfOneInput(const TrainingData& data, const StructureFit& fit) {
+  RemainingStructure clearest;
+  const auto tried = TriedByInput(data, fit);
+  for (const auto& [input, remaining] : tried) {
+    if (remaining.p_value < clearest.p_value) clearest = remaining;
+  }
+  clearest.p_value = std::min(1.0, static_cast<double>(tried.size()) * clearest.p_value);
+  return clearest;
+}
+
 FreeForm BestFreeForm(const TrainingData& data, const StructureFit& fit) {
-  const ForceResponse response(&data, fit);
-  if (response.is_empty()) return {};
-  const auto forms = FormsByInput(response.points());
-  std::vector<RemainingStructure> found(forms.size());
-  ParallelFor(static_cast<int>(forms.size()),
-              [&](int k) { found[k] = RemainingOf(forms[k].second, response, data, fit); });
   FreeForm best;
-  for (std::size_t k = 0; k < forms.size(); ++k) {
-    if (found[k].num_columns == 0) continue;
-    const double gain = found[k].gain - found[k].num_columns;
-    if (best.input.empty() || gain > best.gain) best = {forms[k].first, gain};
+  for (const auto& [input, remaining] : TriedByInput(data, fit)) {
+    const double gain = remaining.gain - remaining.num_columns;
+    if (best.input.empty() || gain > best.gain) best = {input, gain};
   }
   return best;
 }

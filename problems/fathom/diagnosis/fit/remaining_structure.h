@@ -28,6 +28,10 @@ struct RemainingStructure {
 // take up the noise itself. Nothing here knows the catalogue; docs/diagnosis.md (8).
 RemainingStructure FindRemainingStructure(const TrainingData& data, const StructureFit& fit);
 
+// The same of one input at a time, of what the vehicle did or was told: the clearest. It sees a
+// shape that is a little off, where all at once see none. The p-value is that of all these looks.
+RemainingStructure FindRemainingOfOneInput(const TrainingData& data, const StructureFit& fit);
+
 // A force that is a free, smooth function of one input.
 struct FreeForm {
   std::string_view input;  // "displacement"; empty: none could be tried

@@ -30,11 +30,12 @@ RemainingStructure RemainingOf(const Prepared& prepared, const Choice& choice) {
 bool Remains(const Prepared& prepared,
              const RemainingStructure& remaining,
              double gain,
-             const VerdictRules& rules) {
+             const VerdictRules& rules,
+             double clear = RemainingStructure::kClear) {
   const double all_structure = prepared.has_baseline
                                    ? gain + remaining.gain
                                    : static_cast<double>(prepared.data.bins().size());
-  return remaining.p_value < RemainingStructure::kClear &&
+  return remaining.p_value < clear &&
          remaining.gain - remaining.num_columns > rules.material_rest * all_structure;
 }
 
@@ -118,13 +119,20 @@ Judgement Concluded(const Prepared& prepared,
     runs = OfUsersAlone(std::move(runs));
   }
   const int chosen = choice.chosen;
-  const RemainingStructure remaining = refusal ? RemainingOf(prepared, choice) : left;
+  RemainingStructure remaining = refusal ? RemainingOf(prepared, choice) : left;
   const bool remains = Remains(prepared, remaining, book[chosen].gain, rules);
   const double separation = SeparationBeside(remaining, remains, options.separation);
   std::vector<int> rivals = FindRivals(book, chosen, SeparationOn(prepared.data, separation));
   const bool is_suspected = runs.unseen.by_log && chosen == 0 && !choice.refusals.empty();
   Verdict verdict = VerdictOf(remains || refusal || is_suspected, chosen != 0, !rivals.empty());
   std::optional<Coincidence> coincidence;
+  if (verdict == Verdict::kExplained && !remaining.is_negligible) {
+    const RemainingStructure of_one = FindRemainingOfOneInput(prepared.data, choice.fit());
+    if (Remains(prepared, of_one, book[chosen].gain, rules, rules.clear_rest_of_one_input)) {
+      remaining = of_one;
+      verdict = Verdict::kUnexplained;
+    }
+  }
   if (verdict == Verdict::kExplained) coincidence = CoincidenceIn(search, chosen, separation);
   const bool is_only_cut = verdict == Verdict::kExplained && !coincidence && search.found.is_cut;
   if (coincidence || is_only_cut) verdict = Verdict::kUnexplained;

@@ -224,9 +224,9 @@ std::string WhatIsLeft(const Diagnosis& diagnosis) {
         "causes may do as well.");
   } else if (diagnosis.verdict == Verdict::kUnexplained) {
     sentences.push_back(
-        "The remaining error is still more than noise, and no effect in the catalogue explains "
-        "it." +
-        WhatTheRestFollows(diagnosis));
+        fmt::format("The remaining error is still more than noise, and no effect in the catalogue "
+                    "explains it.{} What is named may only have a shape like the true cause's.",
+                    WhatTheRestFollows(diagnosis)));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }

@@ -164,7 +164,8 @@ TEST(VerdictSentence, SaysThatSomethingIsLeftBesideTheCauses) {
   diagnosis.verdict = Verdict::kUnexplained;
   EXPECT_THAT(VerdictSentence(diagnosis),
               HasSubstr(" kg. The remaining error is still more than noise, and no effect in the "
-                        "catalogue explains it."));
+                        "catalogue explains it. What is named may only have a shape like the true "
+                        "cause's."));
 }
 
 TEST(VerdictSentence, CallsALossALossAndWarns) {
