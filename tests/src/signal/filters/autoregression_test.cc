@@ -3,6 +3,7 @@
 
 #include "fathom/signal/filters/autoregression.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -65,7 +66,7 @@ Eigen::MatrixXd TwoColumns(int n) {
 //   phi_2), g_k = phi_1 g_{k-1} + phi_2 g_{k-2}
 Eigen::MatrixXd DenseGram(double phi1, double phi2, double variance, const Eigen::MatrixXd& J) {
   const Eigen::Index n = J.rows();
-  Eigen::VectorXd g(n);
+  Eigen::VectorXd g(std::max<Eigen::Index>(n, 2));  // of one sample, too, the recursion needs two
   g[0] = variance * (1.0 - phi2) / ((1.0 + phi2) * (1.0 - phi2 - phi1) * (1.0 - phi2 + phi1));
   g[1] = phi1 * g[0] / (1.0 - phi2);
   for (Eigen::Index k = 2; k < n; ++k) g[k] = phi1 * g[k - 1] + phi2 * g[k - 2];
