@@ -137,6 +137,13 @@ double DurationOf(const PlanLimits& limits) {
                     FLAGS_limits.empty() ? std::string("a limits file, --limits") : FLAGS_limits));
   }
   RequirePlannableDuration(FLAGS_duration);
+  if (FLAGS_duration < limits.shortest_hold) {
+    throw InputError(
+        fmt::format("--duration: is {:g} s, expected the `shortest_hold` of {}, {:g} s, or more.",
+                    FLAGS_duration,
+                    FLAGS_limits.empty() ? std::string("the limits") : FLAGS_limits,
+                    limits.shortest_hold));
+  }
   return FLAGS_duration;
 }
 
@@ -216,6 +223,7 @@ void AddFlownLogs(const std::string& file, PlanRequest* request) {
                                    request->model.force_unit,
                                    file));
     }
+    RequireSameVehicle(log, request->model, file);
     request->flown.insert(request->flown.end(), signals.train.begin(), signals.train.end());
   }
 }
@@ -316,6 +324,7 @@ int Run() {
   RequireOnePath("vehicle", FLAGS_vehicle);
   std::vector<OutputFlag> outputs = {{"report", FLAGS_report}};
   if (!FLAGS_out.empty()) {
+    RequirePlanFolder(FLAGS_out);
     for (const char* name : kPlanFiles) {
       outputs.push_back({"out", (std::filesystem::path(FLAGS_out) / name).string()});
     }

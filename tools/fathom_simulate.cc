@@ -163,13 +163,18 @@ int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
   if (FLAGS_draws < 0) {
     throw InputError(fmt::format("--draws: is {}, expected 0 or more.", FLAGS_draws));
   }
+  if (!FLAGS_table.empty() && !FLAGS_manoeuvre.empty()) {
+    throw InputError("--table: is given beside --manoeuvre, expected one of them.");
+  }
   if (!FLAGS_table.empty()) return RunSteeringOf(fitted, log);
   const Manoeuvre manoeuvre = ParseManoeuvre(FLAGS_manoeuvre);
   const ManoeuvrePrediction report = PredictManoeuvre(
       fitted, log, manoeuvre, {FLAGS_draws, FLAGS_seed}, RudderDelayFromFlag(manoeuvre));
   fmt::print("{} from {:.3g} m/s, as in {}:\n", FLAGS_manoeuvre, report.ahead, log.name);
   PrintPrediction(report);
-  if (const std::string gear = GearSentence(report); !gear.empty()) PrintText(stdout, gear + "\n");
+  for (const std::string& sentence : {GearSentence(report), BeyondTheLogSentence(report)}) {
+    if (!sentence.empty()) PrintText(stdout, sentence + "\n");
+  }
   for (const std::string& sentence : report.sentences) PrintText(stdout, sentence + "\n");
   if (!FLAGS_out.empty()) WriteFile(FLAGS_out, ManoeuvreCsv(report));
   if (!FLAGS_report.empty()) {

@@ -64,12 +64,32 @@ TEST(PlanTool, WritesAnExperimentThatFathomSynthesizePlays) {
 TEST(PlanTool, LeavesNoThrustersOfAFormerPlan) {
   const PlanInputs inputs;
   const auto formers = {"plan/thrusters.csv", "plan/pulses.csv", "plan/plan.lua"};
-  std::filesystem::create_directory(inputs.At("plan"));
+  RunsWell(inputs.Plan());
   for (const char* former : formers) WriteTestFile(inputs.At(former), "of a former plan");
   WriteTestFile(inputs.At("plan/mine.txt"), "of the user");
   RunsWell(inputs.Plan());
   for (const char* former : formers) EXPECT_FALSE(std::filesystem::exists(inputs.At(former)));
   EXPECT_TRUE(std::filesystem::exists(inputs.At("plan/mine.txt")));
+}
+
+TEST(PlanTool, ReplacesNothingThatIsOfNoPlan) {
+  const PlanInputs inputs;
+  std::filesystem::create_directory(inputs.At("plan"));
+  WriteTestFile(inputs.At("plan/command.csv"), "t,tau_surge\n0,1\n");
+  EXPECT_THAT(inputs.Refusal(), HasSubstr("holds command.csv, which is of no plan"));
+  EXPECT_EQ(TextOf(inputs.At("plan/command.csv")), "t,tau_surge\n0,1\n");
+}
+
+// Of 20 kN nothing is of use in this tank: a twentieth passes the limits within one hold.
+TEST(PlanTool, PlansWithTheForceThatItsLimitsLeave) {
+  const PlanInputs inputs;
+  WriteTestFile(inputs.tank,
+                "force: 20000\nspeed: 0.5\ndistance: {back: 2, ahead: 3}\nshortest_hold: 0.7\n");
+  const ToolRun run = RunsWell(inputs.Plan());
+  EXPECT_THAT(run.out, HasSubstr(" N is of no use"));
+  const auto plan = JsonOf(inputs.At("plan/plan.json"));
+  EXPECT_GT(plan.at("speed_range").at(1), 0.1);
+  EXPECT_LT(plan.at("parameters").at("inertia").at("std_after"), 1.0);
 }
 
 TEST(PlanTool, GivesTheSamePlanForTheSameSeed) {
@@ -101,6 +121,9 @@ TEST(PlanTool, RefusesWhatItCannotUse) {
               HasSubstr("--limits: is missing, expected a limits file, since " + inputs.model));
   EXPECT_THAT(refusal({model, limits}), HasSubstr("or `minutes` in " + inputs.tank));
   EXPECT_THAT(refusal({model, limits, "--duration=2"}), HasSubstr("--duration: is 2 s"));
+  WriteTestFile(inputs.tank, "force: 12\nshortest_hold: 40\n");
+  EXPECT_THAT(refusal({model, limits, "--duration=30"}),
+              HasSubstr("`shortest_hold` of " + inputs.tank));
   WriteTestFile(inputs.tank, "force: 12\ndistance: {back: -1}\n");
   EXPECT_THAT(refusal({model, limits, "--duration=60"}),
               HasSubstr(inputs.tank + ":2: key 'distance.back' is "));

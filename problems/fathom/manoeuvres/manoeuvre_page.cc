@@ -263,7 +263,9 @@ Page ManoeuvrePage(const ManoeuvrePrediction& report,
   page.title = name;
   page.subtitle = fmt::format("predicted, beginning as {}", log);
   page.lead = {LeadOf(report)};
-  if (const std::string gear = GearSentence(report); !gear.empty()) page.lead.push_back(gear);
+  for (const std::string& sentence : {GearSentence(report), BeyondTheLogSentence(report)}) {
+    if (!sentence.empty()) page.lead.push_back(sentence);
+  }
   page.facts = {{"speed at the begin", fmt::format("{:.3g} m/s", report.ahead)},
                 {"drawn models", fmt::format("{}", report.num_draws - report.num_astray)}};
   if (report.length) page.facts.push_back({"length", fmt::format("{:.4g} m", *report.length)});

@@ -12,6 +12,7 @@
 #include "fathom/manoeuvres/straight_track.h"
 #include "fathom/simulate/coupled/imo_limit.h"
 #include "fathom/simulate/coupled/steering.h"
+#include "fathom/vehicle/files/thruster_shares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +97,33 @@ void RequireRudder(const Helm& helm, const Log& log) {
       log.path.string()));
 }
 
+// Throws InputError if the rudder does not turn so far.
+void RequireReachable(const Manoeuvre& manoeuvre, const CommandedFin& rudder, const Log& log) {
+  const Vehicle vehicle = VehicleOf(log).value_or(Vehicle());
+  for (const Fin& fin : vehicle.fins) {
+    if (fin.name != rudder.name || !fin.largest_angle) continue;
+    if (manoeuvre.angle <= *fin.largest_angle) continue;
+    throw InputError(
+        fmt::format("--manoeuvre: turns the rudder by {:g} degrees, expected at most {:.3g}, the "
+                    "`largest_angle` of {} in the vehicle file of {}.",
+                    manoeuvre.angle * 180.0 / std::numbers::pi,
+                    *fin.largest_angle * 180.0 / std::numbers::pi,
+                    fin.name,
+                    log.path.string()));
+  }
+}
+
+// The largest angle of the rudder in the log [rad].
+double LoggedAngleOf(const Helm& helm) {
+  const auto rudder = RudderOf(helm.fins);
+  if (!rudder) return 0.0;
+  double largest = 0.0;
+  for (const double angle : helm.fins[*rudder].angle) {
+    largest = std::max(largest, std::abs(angle));
+  }
+  return largest;
+}
+
 }  // namespace
 
 ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
@@ -108,6 +136,7 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
     RequireThrust(fitted, helm, log);
   } else {
     RequireRudder(helm, log);
+    RequireReachable(manoeuvre, helm.fins[*RudderOf(helm.fins)], log);
   }
   if (rudder_delay) helm.driven.rudder_delay = *rudder_delay;
   auto track = RunManoeuvre(fitted.model, helm.fins, manoeuvre, helm.driven);
@@ -149,6 +178,7 @@ ManoeuvrePrediction PredictManoeuvre(const FittedCoupledModel& fitted,
   report.ahead = helm.driven.ahead;
   report.rudder_rate = RudderRate(fitted.model, helm.fins, helm.driven);
   report.rudder_delay = helm.driven.rudder_delay;
+  report.logged_angle = LoggedAngleOf(helm);
   report.length = helm.length;
   AddMeasured(helm, &report);
   if (helm.length) {
@@ -207,8 +237,8 @@ std::string GearSentence(const ManoeuvrePrediction& report) {
   constexpr double kQuickestGear = 60.0 * std::numbers::pi / 180.0;
   const std::string_view on_gear =
       report.rudder_rate > kQuickestGear
-          ? " So quickly this log's commands change: a steering gear is slower, and overshoots are "
-            "then larger."
+          ? " This is how quickly the log's commands change. A real steering gear is slower, and "
+            "overshoots will be larger."
           : "";
   if (report.manoeuvre.kind != Manoeuvre::Kind::kZigzag) return fmt::format("{}.{}", text, on_gear);
   text += fmt::format(", {:.2f} s after the heading reaches the order", report.rudder_delay);
@@ -219,6 +249,15 @@ std::string GearSentence(const ManoeuvrePrediction& report) {
                         report.gear->most_delay);
   }
   return fmt::format("{}.{}", text, on_gear);
+}
+
+std::string BeyondTheLogSentence(const ManoeuvrePrediction& report) {
+  constexpr double kBeyond = 1.1;  // of the log's: less is noise
+  if (report.manoeuvre.angle <= kBeyond * report.logged_angle) return "";
+  return fmt::format(
+      "The log's rudder goes to {:.3g} degrees. Beyond it the model extrapolates, which the "
+      "intervals do not count.",
+      report.logged_angle * 180.0 / std::numbers::pi);
 }
 
 std::string ManoeuvreCsv(const ManoeuvrePrediction& report) {

@@ -44,6 +44,7 @@ struct ManoeuvrePrediction {
   double ahead = 0.0;                 // speed at the begin [m/s]
   double rudder_rate = 0.0;           // [rad/s]; infinite: at once
   double rudder_delay = 0.0;          // [s]
+  double logged_angle = 0.0;          // largest of the rudder in the log [rad]
   std::optional<double> length = {};  // of the vehicle [m]
   // What a spiral or a pull-out says of the straight track; why figures have no value; doubts.
   std::vector<std::string> sentences = {};
@@ -77,6 +78,9 @@ Table ManoeuvreTable(const ManoeuvrePrediction& report);
 
 // How the rudder moves, and whence that is known, in a sentence; empty of a stop and of steering.
 std::string GearSentence(const ManoeuvrePrediction& report);
+
+// That the rudder turns further than it does in the log, in a sentence; empty where it does not.
+std::string BeyondTheLogSentence(const ManoeuvrePrediction& report);
 
 // t, position, heading, rudder's angle as the fin counts it and velocities, CSV.
 std::string ManoeuvreCsv(const ManoeuvrePrediction& report);

@@ -16,8 +16,7 @@ namespace fathom {
 
 // Where no command is found.
 inline constexpr std::string_view kNoCommandKeepsLimits =
-    "No command was found that keeps the limits for 95 % of the models that the log allows. Give "
-    "it "
+    "No command was found that keeps the limits for nearly all models that the log allows. Give it "
     "more room, less time, or a model of narrower intervals.";
 
 // What an experiment says of one parameter: standard deviations of its estimate.
@@ -65,6 +64,7 @@ struct ExperimentPlan {
 
   std::vector<CommandBlock> blocks;
   HeldCommand command;    // from t = 0 on
+  double force = 0.0;     // greatest that was tried: UsableForce() [N] or [N m]
   double duration = 0.0;  // [s], of whole cells
   VelocityMeasurement measurement;
   double share_breaking = 0.0;  // of the models that the log allows, those that break a limit

@@ -20,6 +20,22 @@ bool KeepsLimits(const PlannedMotion& motion, const PlanLimits& limits) {
              });
 }
 
+double UsableForce(const ExtendedModel& model, Dof dof, const PlanLimits& limits, double period) {
+  constexpr int kMostHalvings = 40;
+  const std::vector<double> stamps = PlannedStamps(limits.shortest_hold + kCoastAfterwards,
+                                                   std::min(period, limits.shortest_hold));
+  double force = limits.force;
+  for (int i = 0; i < kMostHalvings; ++i, force *= 0.5) {
+    const auto keeps = [&](double sign) {
+      const HeldCommand hold = {{0.0, limits.shortest_hold}, {sign * force, 0.0}};
+      const auto motion = MotionUnder(model, dof, hold, stamps);
+      return motion && KeepsLimits(*motion, limits);
+    };
+    if (keeps(1.0) || keeps(-1.0)) break;
+  }
+  return force;
+}
+
 int NumBreaking(std::span<const ExtendedModel> models,
                 Dof dof,
                 const HeldCommand& command,

@@ -14,6 +14,10 @@ namespace fathom {
 // True if speed and distance stay within the limits at all stamps.
 bool KeepsLimits(const PlannedMotion& motion, const PlanLimits& limits);
 
+// The limits' force, halved until one hold of it, and the coast behind, keeps the limits: what is
+// more is of no use. Of a model that keeps them under none, what is left after 40 halvings.
+double UsableForce(const ExtendedModel& model, Dof dof, const PlanLimits& limits, double period);
+
 // How many of the models break the limits under a command, or diverge; counting ends above `most`.
 int NumBreaking(std::span<const ExtendedModel> models,
                 Dof dof,

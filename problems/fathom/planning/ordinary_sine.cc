@@ -11,6 +11,8 @@
 namespace fathom {
 namespace {
 
+constexpr int kNumShares = 20;  // of an amplitude, that are tried
+
 HeldCommand SineCommand(double offset, double amplitude, double hold, double duration) {
   HeldCommand command;
   for (int i = 0; i * hold < duration - 1e-9; ++i) {
@@ -28,12 +30,15 @@ OrdinarySine LargestOrdinarySine(const PlanRequest& request,
   const PlanLimits& limits = request.limits;
   OrdinarySine sine;
   sine.offset = std::clamp(request.model.model.buoyancy, -0.5 * limits.force, 0.5 * limits.force);
-  for (int share = 20; share >= 1; --share) {
-    sine.amplitude = (limits.force - std::abs(sine.offset)) * share / 20.0;
-    sine.command = SineCommand(sine.offset, sine.amplitude, limits.shortest_hold, duration);
-    const auto motion =
-        MotionUnder(request.model.Extended(), request.model.dof, sine.command, stamps);
-    if (motion && KeepsLimits(*motion, limits)) break;
+  const double greatest = limits.force - std::abs(sine.offset);
+  for (double scale = greatest; scale > 1e-6 * greatest; scale /= kNumShares) {
+    for (int share = kNumShares; share >= 1; --share) {
+      sine.amplitude = scale * share / kNumShares;
+      sine.command = SineCommand(sine.offset, sine.amplitude, limits.shortest_hold, duration);
+      const auto motion =
+          MotionUnder(request.model.Extended(), request.model.dof, sine.command, stamps);
+      if (motion && KeepsLimits(*motion, limits)) return sine;
+    }
   }
   return sine;
 }

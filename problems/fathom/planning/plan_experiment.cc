@@ -47,6 +47,8 @@ CommandTask TaskOf(const PlanRequest& request,
   CommandTask task;
   task.dof = request.model.dof;
   task.limits = request.limits;
+  task.limits.force =
+      UsableForce(request.model.Extended(), request.model.dof, request.limits, period);
   task.duration = duration;
   task.period = period;
   task.seed = request.seed;
@@ -106,6 +108,7 @@ bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPla
     FoundCommand found = SearchCommand(task);
     if (found.blocks.empty()) return false;
     plan->blocks = std::move(found.blocks);
+    plan->force = task.limits.force;
     plan->command = CommandOfCells(ForcesOf(plan->blocks), request.limits.shortest_hold);
     if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
     if (plan->share_breaking <= kShareAllowed) {

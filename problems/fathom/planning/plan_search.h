@@ -23,9 +23,6 @@ struct MeasuredCommand {
 using CommandMeasure =
     std::function<MeasuredCommand(const HeldCommand& command, std::span<const double> stamps)>;
 
-// Behind the command the vehicle coasts until somebody takes over; the limits hold so long [s].
-inline constexpr double kCoastAfterwards = 10.0;
-
 struct CommandTask {
   Dof dof = Dof::kSurge;
   PlanLimits limits;

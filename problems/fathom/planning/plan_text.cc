@@ -174,6 +174,12 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
         speed,
         VelocityUnit(dof)));
   }
+  if (plan.force < request.limits.force) {
+    comments.push_back(fmt::format(
+        "More than {:.3g} {} is of no use: one hold of it passes the limits of speed or distance.",
+        plan.force,
+        ForceUnit(dof)));
+  }
   if (!request.flown.empty()) comments.emplace_back(kFlownLogsCount);
   if (request.thrusters) {
     const ThrusterAllocation& allocation = *request.thrusters;

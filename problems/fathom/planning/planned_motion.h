@@ -32,6 +32,9 @@ struct MotionDerivatives {
   Eigen::MatrixXd displacement_by_start;
 };
 
+// Behind the command the vehicle coasts until somebody takes over; the limits hold so long [s].
+inline constexpr double kCoastAfterwards = 10.0;
+
 // Stamps from `period` on to `duration` [s].
 std::vector<double> PlannedStamps(double duration, double period);
 

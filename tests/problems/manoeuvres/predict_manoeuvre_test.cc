@@ -105,7 +105,19 @@ TEST(GearSentence, SaysThatStepsOfALogAreNoSteeringGear) {
   report.rudder_rate = 0.5;
   EXPECT_EQ(GearSentence(report), "The rudder turns at 28.6 deg/s.");
   report.rudder_rate = 3.5;
-  EXPECT_THAT(GearSentence(report), testing::HasSubstr(" a steering gear is slower"));
+  EXPECT_THAT(GearSentence(report), testing::HasSubstr("A real steering gear is slower"));
+}
+
+TEST(BeyondTheLogSentence, SaysHowFarTheRudderOfTheLogGoes) {
+  ManoeuvrePrediction report;
+  report.manoeuvre = ParseManoeuvre("turning_circle:35");
+  report.logged_angle = 0.6;
+  EXPECT_EQ(BeyondTheLogSentence(report), "");
+  report.logged_angle = 0.35;
+  EXPECT_THAT(BeyondTheLogSentence(report),
+              testing::StartsWith("The log's rudder goes to 20.1 degrees."));
+  report.manoeuvre = ParseManoeuvre("stop");
+  EXPECT_EQ(BeyondTheLogSentence(report), "");
 }
 
 // A given delay takes the place of the log's and is said.

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/log/log_fingerprint.h"
+#include "fathom/simulate/log_prediction.h"
 #include "fathom/tool/print_text.h"
 
 #include <algorithm>
@@ -13,6 +14,11 @@
 #include <fmt/format.h>
 
 namespace fathom {
+namespace {
+
+constexpr double kMissesAll = 1.0;  // NMAE: the log's own mean predicts it better
+
+}  // namespace
 
 void RequireOtherLogs(const std::vector<Log>& logs,
                       const std::vector<std::string>& log_fingerprints,
@@ -30,6 +36,18 @@ void RequireOtherLogs(const std::vector<Log>& logs,
             fmt::format("fathom_plan: {} does not say which logs it was fitted to. If --log names "
                         "one of them, it counts twice.\n",
                         file));
+}
+
+void RequireSameVehicle(const Log& log, const FittedModel& model, const std::string& file) {
+  const auto prediction = PredictLog(model, log);
+  if (prediction && !(prediction->figures.nmae > kMissesAll)) return;
+  throw InputError(fmt::format(
+      "--log: {} {} {}, expected a model of the same vehicle, and a log that fathom_check finds "
+      "nothing wrong with.",
+      file,
+      prediction ? fmt::format("misses {:.0f} % of the motion in", 100.0 * prediction->figures.nmae)
+                 : "diverges over",
+      log.path.string()));
 }
 
 }  // namespace fathom

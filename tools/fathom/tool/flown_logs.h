@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/log/log.h"
+#include "fathom/vehicle/fitted_model.h"
 
 #include <string>
 #include <vector>
@@ -15,5 +16,9 @@ namespace fathom {
 void RequireOtherLogs(const std::vector<Log>& logs,
                       const std::vector<std::string>& log_fingerprints,
                       const std::string& file);
+
+// Throws InputError if the model of `file` misses all of the log's motion: then the log says
+// nothing of its parameters.
+void RequireSameVehicle(const Log& log, const FittedModel& model, const std::string& file);
 
 }  // namespace fathom

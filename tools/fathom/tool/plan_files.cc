@@ -12,6 +12,17 @@
 
 namespace fathom {
 
+void RequirePlanFolder(const std::string& out) {
+  const std::filesystem::path folder = out;
+  const auto holds = [&](const char* name) { return std::filesystem::exists(folder / name); };
+  if (holds("plan.json") && !holds("log.yaml")) return;
+  for (const char* name : kPlanFiles) {
+    if (!holds(name)) continue;
+    throw InputError(fmt::format(
+        "--out={}: holds {}, which is of no plan, expected another folder.", out, name));
+  }
+}
+
 void WritePlanFiles(const std::filesystem::path& folder,
                     const std::map<std::string, std::string>& files) {
   for (const char* name : kPlanFiles) {

@@ -28,13 +28,25 @@ namespace {
 // Degrees to radians.
 double AngleIn(std::string_view text, std::string_view whole) {
   const auto degrees = ParseFiniteNumber(text);
-  if (!degrees || !(*degrees > 0.0 && *degrees < 90.0)) RefuseManoeuvre(whole);
+  if (!degrees) RefuseManoeuvre(whole);
+  if (!(*degrees > 0.0 && *degrees < 90.0)) {
+    throw InputError(
+        fmt::format("{}: the angle is {:g} degrees, expected more than 0 and less than "
+                    "90.",
+                    Quoted(std::string(whole)),
+                    *degrees));
+  }
   return *degrees * std::numbers::pi / 180.0;
 }
 
 double ShareIn(std::string_view text, std::string_view whole) {
   const auto per_cent = ParseFiniteNumber(text);
-  if (!per_cent || !(*per_cent >= 0.0 && *per_cent <= 1000.0)) RefuseManoeuvre(whole);
+  if (!per_cent) RefuseManoeuvre(whole);
+  if (!(*per_cent >= 0.0 && *per_cent <= 1000.0)) {
+    throw InputError(fmt::format("{}: the thrust astern is {:g} per cent, expected 0 to 1000.",
+                                 Quoted(std::string(whole)),
+                                 *per_cent));
+  }
   return *per_cent / 100.0;
 }
 
