@@ -103,7 +103,26 @@ Shard ParseShard(const std::string& text) {
   return shard;
 }
 
-fs::path ToolsFolder() { return FLAGS_tools.empty() ? ProgramsFolder() : fs::path(FLAGS_tools); }
+fs::path ToolsFolder() {
+  if (FLAGS_tools.empty()) return ProgramsFolder();
+  if (fs::exists(fs::path(FLAGS_tools) / "fathom_compare")) return FLAGS_tools;
+  throw InputError(
+      fmt::format("--tools={}: holds no fathom_compare, expected the folder of Fathom's programs.",
+                  FLAGS_tools));
+}
+
+// What a log does not say itself, an archive says for its logs.
+void RequireNoFlagsOfOneLog() {
+  for (const auto& [flag, key] :
+       {std::pair{"dof", "dof"}, std::pair{"default_vehicle", "vehicle"}}) {
+    if (gflags::GetCommandLineFlagInfoOrDie(flag).is_default) continue;
+    throw InputError(fmt::format(
+        "--{}: is of one log, expected none. `{}:` in archive.yaml holds for the logs of "
+        "an archive that do not say it themselves.",
+        flag,
+        key));
+  }
+}
 
 // "dives_pages" beside "dives.html".
 fs::path PagesFolder() {
@@ -134,6 +153,7 @@ std::optional<std::vector<Dof>> CoupledDofsFromFlag() {
 }
 
 BatchOptions OptionsFromFlags() {
+  RequireNoFlagsOfOneLog();
   BatchOptions options;
   options.archive = RequireFlag("archive", FLAGS_archive, "a folder with logs");
   options.results = RequireFlag("results", FLAGS_results, "a database to write");

@@ -156,6 +156,7 @@ int RunSteeringOf(const FittedCoupledModel& fitted, const Log& log) {
              report.ahead,
              log.name);
   PrintPrediction(report);
+  for (const std::string& sentence : report.sentences) PrintText(stdout, sentence + "\n");
   return kExitUsable;
 }
 

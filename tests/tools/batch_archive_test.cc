@@ -308,6 +308,20 @@ TEST_F(Batch, TakesTheDofOfSingleFilesFromTheArchive) {
               ElementsAre("heave|1"));
 }
 
+// They were taken and had no effect.
+TEST_F(Batch, RefusesFlagsOfOneLogAndFoldersWithoutPrograms) {
+  WriteArchive(archive_);
+  const auto refusal = [&](const std::string& flag) {
+    const ToolRun run = RunBatch(archive_, results_, {flag});
+    EXPECT_EQ(run.exit_code, 1) << flag;
+    return run.err;
+  };
+  EXPECT_THAT(refusal("--dof=surge"), HasSubstr("`dof:` in archive.yaml"));
+  EXPECT_THAT(refusal("--default_vehicle=rov.yaml"), HasSubstr("`vehicle:` in archive.yaml"));
+  EXPECT_THAT(refusal("--tools=" + archive_.string()), HasSubstr("holds no fathom_compare"));
+  EXPECT_FALSE(std::filesystem::exists(results_));
+}
+
 TEST_F(Batch, RefusesSettingsThatItDoesNotKnow) {
   WriteArchive(archive_);
   const std::string file = (archive_ / "archive.yaml").string();

@@ -4,9 +4,11 @@
 #include "fathom/coupled/coupled_identification.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/coupled/entry_search.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/coupled/entry_name.h"
+#include "fathom/vehicle/coupled/entry_value.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
@@ -250,6 +252,14 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
         "`area` and `lift_slope` in the vehicle file, or a wrench in N, give kilograms.",
         Name(options.dofs.front()),
         *unit_fin));
+  }
+  for (const FreeEntry& entry : fitted.entries) {
+    if (entry.kind != FreeEntry::Kind::kFinForce) continue;
+    if (ValueIn(fitted.model, entry) + 1.96 * StdOf(result, entry) >= 0.0) continue;
+    fitted.caveats.push_back(
+        fmt::format("{} is below 0: in this log the fin turns the vehicle the other way than its "
+                    "vehicle file says. Turn its `axis` round, or the sign of its angles.",
+                    NameOf(entry)));
   }
   for (const CommandedShaft& shaft : identified.data.front().inputs.command.shafts) {
     if (shaft.shaft.curve) continue;

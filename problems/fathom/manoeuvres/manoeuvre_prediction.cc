@@ -222,6 +222,12 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
   }
   ManoeuvrePrediction report;
   report.figures = WithIntervals(*figures, drawn);
+  if (fitted.force_unit != "N") {
+    report.sentences.push_back(
+        fmt::format("No force of this log is in newtons: for N read units of fin_force.{}. Ratios "
+                    "hold, and so do K and T.",
+                    fitted.force_unit));
+  }
   report.num_draws = draws.count;
   report.num_astray = NumAstray(drawn);
   report.ahead = ahead;
