@@ -64,7 +64,7 @@ const ToolInfo kInfo = {
     "         FNR > 1 && NR == FNR { tau[k] = $2 }\n"
     "         FNR > 1 && NR != FNR { print $1 \",\" tau[k] \",\" $2 }' \\\n"
     "    data/flatfish/command.csv data/flatfish/velocity.csv |\n"
-    "    fathom_follow --dof=surge --gains=-0.1,1.1e-5,20,0.7,0.015",
+    "    fathom_follow --dof=surge --gains=-1,1e-4,140,6,0.14",
     "A line holds a stamp [s], the force [N or N m] that holds from it on, and the measured "
     "velocity [m/s or rad/s]. The first line may name the columns; blank lines and comments (#) "
     "are passed over. Each line out is flushed: t, the four parameters, their scatter over the "

@@ -256,7 +256,7 @@ TEST(FollowTool, WritesAPageThatGrows) {
   const std::string text = TextOf(page);
   EXPECT_THAT(text, HasSubstr("<main>"));
   EXPECT_THAT(text, HasSubstr("601 samples, t = 0 s to 60 s"));
-  EXPECT_THAT(text, HasSubstr("The last estimate is usable."));
+  EXPECT_THAT(text, HasSubstr("The last estimate is usable. Behind "));
   EXPECT_THAT(text, HasSubstr("\"low\":["));
 }
 

@@ -8,6 +8,7 @@
 #include "fathom/findings/camera_clock.h"
 #include "fathom/findings/command_check.h"
 #include "fathom/findings/command_clock.h"
+#include "fathom/findings/fin_check.h"
 #include "fathom/findings/log_check.h"
 #include "fathom/findings/motion_check.h"
 #include "fathom/findings/pose_flips.h"
@@ -212,6 +213,7 @@ LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
   checkup.streams = StreamsOf(log);
   checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
+  Add(CheckFins(log), &checkup.findings);
   if (auto finding = CheckPoseFlips(log)) checkup.findings.push_back(*std::move(finding));
   // Where velocity.csv is the source, no DOF looks at the poses.
   if (log.velocity) {

@@ -257,8 +257,8 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis,
   }
   if (!diagnosis.missed.empty()) {
     steps.push_back(
-        fmt::format("Run fathom_diagnose --dof on each of {}: more effects of the actuators, "
-                    "the water and the sensors are in the models of one DOF.",
+        fmt::format("Run fathom_diagnose on {} alone (--dof): more effects of the actuators, the "
+                    "water and the sensors are in the models of one DOF.",
                     NamesOf(diagnosis.missed)));
   }
   if (std::ranges::any_of(diagnosis.findings,

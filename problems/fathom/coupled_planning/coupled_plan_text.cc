@@ -78,7 +78,7 @@ std::string NoiseComment(const CoupledPlanRequest& request, const CoupledPlan& p
                   fmt::join(noise, ", "),
                   plan.rate);
   if (const auto names = NamesOfNoiseBy(NoiseSource::kLog, request, plan); !names.empty()) {
-    text += fmt::format(" Of {} it is as large and as coloured as the log shows.", names);
+    text += fmt::format(" Size and colour of that of {} are the log's.", names);
   }
   if (const auto names = NamesOfNoiseBy(NoiseSource::kLimits, request, plan); !names.empty()) {
     text += fmt::format(" Of {} it is white, as large as the limits file says.", names);

@@ -116,14 +116,13 @@ std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan)
   const PlannedParameter* weakest = WeakestOf(plan);
   if (weakest == nullptr) return text;
   if (weakest->after > weakest->before) {
-    return text +
-           fmt::format(
-               " It tells less than what is known already: {} to {} by itself, {} without it, "
-               "{} with both. A longer run tells more.",
-               weakest->name,
-               HalfShare(weakest->after, weakest->value),
-               HalfShare(weakest->before, weakest->value),
-               HalfShare(weakest->with_log_so_far, weakest->value));
+    return text + fmt::format(
+                      " Of {}, this run alone tells less than what is known already: {}, and not "
+                      "{}; both together {}. A longer run tells more.",
+                      weakest->name,
+                      HalfShare(weakest->after, weakest->value),
+                      HalfShare(weakest->before, weakest->value),
+                      HalfShare(weakest->with_log_so_far, weakest->value));
   }
   return text + fmt::format(
                     " The least known parameter, {}, is then known to {} instead of {}; an "

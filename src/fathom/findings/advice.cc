@@ -53,6 +53,9 @@ constexpr Entry kAdvice[] = {
       "Turn the sign of the command or of the motion around. Check that the column is a speed and "
       "no "
       "acceleration."}},
+    {"fin_angle",
+     {"No model of several DOFs: such a log is refused.",
+      "Divide the angles by 57.296, or import the log with the unit `deg`."}},
     {"free_decay",
      {"Only ratios to the inertia come of it, but no error of a command is in them.",
       "Give `inertia` in the vehicle file for the parameters themselves: docs/free_decay.md."}},

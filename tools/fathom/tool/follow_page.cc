@@ -67,7 +67,10 @@ Fact LastOf(const FollowedEstimate& last, int index, Dof dof) {
 }
 
 std::string SentenceOn(const FollowedEstimate& last) {
-  if (last.usable) return "The last estimate is usable.";
+  if (last.usable) {
+    return "The last estimate is usable. Behind ± stands its scatter over the last third of the "
+           "samples, which is no standard error.";
+  }
   if (std::isnan(last.std[kInertia])) {
     return "The last estimate is not usable: there are fewer than ten samples.";
   }
