@@ -5,10 +5,10 @@
 
 #include "fathom/base/exit_code.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/nearest.h"
 #include "fathom/base/quoted.h"
 #include "fathom/process/run_child.h"
 #include "fathom/tool/completion.h"
-#include "fathom/tool/nearest.h"
 #include "fathom/tool/programs_folder.h"
 #include "fathom/tool/tool.h"
 #include "fathom/tool/version.h"

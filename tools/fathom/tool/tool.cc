@@ -6,10 +6,10 @@
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/nearest.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/tool/flag_values.h"
-#include "fathom/tool/nearest.h"
 #include "fathom/tool/version.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/yaml_tree.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/nearest.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 
@@ -113,13 +114,15 @@ const YamlNode* YamlMap::Find(std::string_view key) const {
 const YamlNode& YamlMap::Require(std::string_view key, std::string_view expected) const {
   if (const YamlNode* node = Find(key)) return *node;
   const std::string above = PathOf(*node_);
-  throw InputError(fmt::format("{}:{}: key '{}{}{}' is missing, expected {}.",
+  const std::string near = Nearest(key, Keys());
+  throw InputError(fmt::format("{}:{}: key '{}{}{}' is missing, expected {}{}.",
                                document_->name,
                                node_->line,
                                above,
                                above.empty() ? "" : ".",
                                key,
-                               expected));
+                               expected,
+                               near.empty() ? "" : ": found " + Quoted(near)));
 }
 
 bool YamlMap::Has(std::string_view key) const { return Find(key) != nullptr; }

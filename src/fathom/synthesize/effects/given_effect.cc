@@ -4,6 +4,7 @@
 #include "fathom/synthesize/effects/given_effect.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/nearest.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 
@@ -39,13 +40,16 @@ Dof DrivenDof(const std::string& name, const Experiment& experiment) {
 }
 
 const Effect* EffectOfName(const std::string& name, std::span<const Effect* const> effects) {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   for (const Effect* effect : effects) {
     if (effect->info().name == name) return effect;
-    names.push_back(effect->info().name);
+    names.emplace_back(effect->info().name);
   }
-  FailEffects(
-      fmt::format("{} is no effect, expected one of {}.", Quoted(name), fmt::join(names, ", ")));
+  const std::string near = Nearest(name, names);
+  FailEffects(near.empty() ? fmt::format("{} is no effect, expected one of {}.",
+                                         Quoted(name),
+                                         fmt::join(names, ", "))
+                           : fmt::format("{} is no effect, did you mean {}?", Quoted(name), near));
 }
 
 // The DOF that an effect acts along where none is given: the experiment's first that it can.

@@ -88,6 +88,8 @@ TEST(YamlFile, NamesTheMissingKeyAndTheMapItBelongsTo) {
             "v.yaml:1: key 'mass' is missing, expected a finite number.");
   EXPECT_EQ(ErrorFrom([&] { file.Map("body").String("name"); }),
             "v.yaml:2: key 'body.name' is missing, expected a text.");
+  EXPECT_EQ(ErrorFrom([&] { Parse("froce: 60\n").Number("force"); }),
+            "v.yaml:1: key 'force' is missing, expected a finite number: found 'froce'.");
 }
 
 TEST(YamlFile, SaysWhatWasFoundInPlaceOfANumber) {

@@ -104,10 +104,12 @@ TEST(ParseHiddenEffects, DrawsWhatIsNotGivenFromItsOwnNumbers) {
 }
 
 TEST(ParseHiddenEffects, SaysWhatThereIs) {
-  EXPECT_THAT(MessageOf("thruster_lagg"),
-              AllOf(HasSubstr("--effects: 'thruster_lagg' is no effect, expected one of "
+  EXPECT_THAT(MessageOf("slow"),
+              AllOf(HasSubstr("--effects: 'slow' is no effect, expected one of "
                               "time_offset, thrust_dead_zone, "),
                     HasSubstr("unlisted.slack_tether")));
+  EXPECT_EQ(MessageOf("thruster_lagg"),
+            "--effects: 'thruster_lagg' is no effect, did you mean thruster_lag?");
   EXPECT_THAT(MessageOf("thruster_lag,"), HasSubstr("'' is no effect"));
   EXPECT_EQ(MessageOf("heave.thruster_lag"),
             "--effects: 'heave' is not a DOF that the experiment drives, expected one of surge, "

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/tool/nearest.h"
+#include "fathom/base/nearest.h"
 
 #include <algorithm>
 #include <cstddef>
