@@ -173,7 +173,8 @@ int RunManoeuvreOf(const FittedCoupledModel& fitted, const Log& log) {
       fitted, log, manoeuvre, {FLAGS_draws, FLAGS_seed}, RudderDelayFromFlag(manoeuvre));
   fmt::print("{} from {:.3g} m/s, as in {}:\n", FLAGS_manoeuvre, report.ahead, log.name);
   PrintPrediction(report);
-  for (const std::string& sentence : {GearSentence(report), BeyondTheLogSentence(report)}) {
+  for (const std::string& sentence :
+       {NoIntervalSentence(report), GearSentence(report), BeyondTheLogSentence(report)}) {
     if (!sentence.empty()) PrintText(stdout, sentence + "\n");
   }
   for (const std::string& sentence : report.sentences) PrintText(stdout, sentence + "\n");

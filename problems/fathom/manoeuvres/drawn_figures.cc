@@ -18,8 +18,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kEnoughDraws = 0.8;  // of all, for an interval
-
 // How the offsets scatter from run to run, by those that the model knows of single runs: another
 // run has one too.
 Vector6 RunScatter(const FittedCoupledModel& fitted) {

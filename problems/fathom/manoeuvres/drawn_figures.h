@@ -21,8 +21,10 @@ std::vector<CoupledModel> DrawModels(const FittedCoupledModel& fitted,
                                      int count,
                                      std::uint64_t seed);
 
+inline constexpr double kEnoughDraws = 0.8;  // of all, for an interval
+
 struct FigureInterval {
-  double low = 0.0, high = 0.0;  // 95 %; NaN where fewer than 80 % of the draws came so far
+  double low = 0.0, high = 0.0;  // 95 %; NaN where fewer than kEnoughDraws came so far
 };
 
 // The intervals of the figures that drawn models give, one for each of `num_figures`. Draws without

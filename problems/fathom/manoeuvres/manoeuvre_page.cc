@@ -263,7 +263,8 @@ Page ManoeuvrePage(const ManoeuvrePrediction& report,
   page.title = name;
   page.subtitle = fmt::format("predicted, beginning as {}", log);
   page.lead = {LeadOf(report)};
-  for (const std::string& sentence : {GearSentence(report), BeyondTheLogSentence(report)}) {
+  for (const std::string& sentence :
+       {NoIntervalSentence(report), GearSentence(report), BeyondTheLogSentence(report)}) {
     if (!sentence.empty()) page.lead.push_back(sentence);
   }
   page.facts = {{"speed at the begin", fmt::format("{:.3g} m/s", report.ahead)},

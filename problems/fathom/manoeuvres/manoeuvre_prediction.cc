@@ -257,6 +257,19 @@ std::string GearSentence(const ManoeuvrePrediction& report) {
   return fmt::format("{}.{}", text, on_gear);
 }
 
+std::string NoIntervalSentence(const ManoeuvrePrediction& report) {
+  const bool all_have_one = std::ranges::all_of(report.figures, [](const PredictedFigure& figure) {
+    return std::isnan(figure.figure.value) || std::isfinite(figure.low);
+  });
+  if (all_have_one || report.num_draws == 0) return "";
+  return fmt::format(
+      "A figure has no interval where fewer than {:g} % of the {} drawn models come so far: the "
+      "log "
+      "leaves too much open.",
+      100.0 * kEnoughDraws,
+      report.num_draws);
+}
+
 std::string BeyondTheLogSentence(const ManoeuvrePrediction& report) {
   constexpr double kBeyond = 1.1;  // of the log's: less is noise
   if (report.manoeuvre.angle <= kBeyond * report.logged_angle) return "";

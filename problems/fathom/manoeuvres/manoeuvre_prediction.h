@@ -79,6 +79,9 @@ Table ManoeuvreTable(const ManoeuvrePrediction& report);
 // How the rudder moves, and whence that is known, in a sentence; empty of a stop and of steering.
 std::string GearSentence(const ManoeuvrePrediction& report);
 
+// Why figures have no interval, in a sentence; empty where all have one, or no model was drawn.
+std::string NoIntervalSentence(const ManoeuvrePrediction& report);
+
 // That the rudder turns further than it does in the log, in a sentence; empty where it does not.
 std::string BeyondTheLogSentence(const ManoeuvrePrediction& report);
 

@@ -108,6 +108,17 @@ TEST(GearSentence, SaysThatStepsOfALogAreNoSteeringGear) {
   EXPECT_THAT(GearSentence(report), testing::HasSubstr("A real steering gear is slower"));
 }
 
+TEST(NoIntervalSentence, SaysWhyAFigureHasNone) {
+  ManoeuvrePrediction report;
+  report.num_draws = 200;
+  report.figures = {{.figure = {.name = "advance", .value = 19.0, .unit = "m"}, .low = 18.0}};
+  EXPECT_EQ(NoIntervalSentence(report), "");
+  report.figures.front().low = std::nan("");
+  EXPECT_THAT(NoIntervalSentence(report), testing::HasSubstr("of the 200 drawn models"));
+  report.num_draws = 0;
+  EXPECT_EQ(NoIntervalSentence(report), "");
+}
+
 TEST(BeyondTheLogSentence, SaysHowFarTheRudderOfTheLogGoes) {
   ManoeuvrePrediction report;
   report.manoeuvre = ParseManoeuvre("turning_circle:35");
