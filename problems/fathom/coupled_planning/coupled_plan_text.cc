@@ -174,6 +174,14 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
       fmt::format("The ordinary sines: {} at {:g} rad/s, as much as the limits leave.",
                   fmt::join(amplitudes, ", "),
                   kSineFrequency)};
+  for (const WrenchAxis& axis : plan.axes) {
+    if (axis.force >= request.limits.force[static_cast<std::size_t>(Index(axis.dof))]) continue;
+    comments.push_back(
+        fmt::format("More than {:.3g} {} of {} is of no use: one hold of it passes a limit.",
+                    axis.force,
+                    ForceUnit(axis.dof),
+                    Name(axis.dof)));
+  }
   if (!request.flown.empty()) comments.emplace_back(kFlownLogsCount);
   if (!held.empty()) {
     comments.push_back(fmt::format("Not commanded: {}.", fmt::join(held, ", ")));

@@ -9,6 +9,8 @@
 #include "fathom/coupled_planning/coupled_noise.h"
 #include "fathom/coupled_planning/drawn_coupled_models.h"
 #include "fathom/coupled_planning/flown_entries.h"
+#include "fathom/coupled_planning/kept_wrench.h"
+#include "fathom/coupled_planning/wrench_run.h"
 #include "fathom/coupled_planning/wrench_search.h"
 #include "fathom/coupled_planning/wrench_thrusters.h"
 #include "fathom/planning/information.h"
@@ -66,10 +68,12 @@ std::vector<WrenchAxis> AxesOf(const CoupledPlanRequest& request) {
   for (const Dof dof : kAllDofs) {
     const double force = LimitOf(limits.force, dof);
     const bool is_modelled = Has(request.model.model.dofs, dof);
-    if (force > 0.0 && !is_modelled) {
+    const bool limits_speed = std::isfinite(LimitOf(limits.speed, dof));
+    if ((force > 0.0 || limits_speed) && !is_modelled) {
       throw InputError(
-          fmt::format("{}: key 'force' holds {}, which {} does not model, expected of {}.",
+          fmt::format("{}: key '{}' holds {}, which {} does not model, expected of {}.",
                       request.limits_name,
+                      force > 0.0 ? "force" : "speed",
                       Name(dof),
                       request.name,
                       ModelledNames(request)));
@@ -151,6 +155,28 @@ WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
   return task;
 }
 
+// Halves the force of an axis until one hold of it, and the coast behind, keeps the limits: what is
+// more is of no use.
+void TakeUsableForces(const CoupledModel& model,
+                      const CoupledLimits& limits,
+                      std::vector<WrenchAxis>* axes) {
+  constexpr int kMostHalvings = 40;
+  const std::vector<double> stamps = LimitStamps(limits.shortest_hold);
+  Vector6 holding = Vector6::Zero();
+  for (const WrenchAxis& axis : *axes) holding[Index(axis.dof)] = axis.holding;
+  for (WrenchAxis& axis : *axes) {
+    const auto keeps = [&](double sign) {
+      CoupledCommand command;
+      command.time = {0.0, limits.shortest_hold};
+      command.force = {holding, holding};
+      command.force[0][Index(axis.dof)] = sign * axis.force;
+      const auto run = WrenchMotion(model, command, stamps);
+      return run && KeepsLimits(*run, limits);
+    };
+    for (int i = 0; i < kMostHalvings && !keeps(1.0) && !keeps(-1.0); ++i) axis.force *= 0.5;
+  }
+}
+
 CoupledLimits Narrowed(CoupledLimits limits) {
   for (double& speed : limits.speed) speed *= kNarrowerForNext;
   for (ValueRange& range : limits.room) {
@@ -204,6 +230,7 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
   }
   CoupledPlan plan;
   plan.axes = AxesOf(request);
+  TakeUsableForces(request.model.model, request.limits, &plan.axes);
   plan.thrusters = WrenchThrusters(request, plan.axes);
   SetMeasurement(request, &plan);
   const double hold = request.limits.shortest_hold;

@@ -239,6 +239,18 @@ TEST(PlanCoupled, TakesAHorizonBelowAPeriodForAPeriod) {
   EXPECT_TRUE(PlanCoupledExperiment(request).IsUsable());
 }
 
+// A twentieth of 40 kN passes the limits within one hold.
+TEST(PlanCoupled, UsesTheForceThatItsLimitsLeave) {
+  CoupledPlanRequest request = BoatRequest(DrawBoat(41), 40.0, 0.1);
+  request.limits.force[0] = request.limits.force[1] = 40000.0;
+  const CoupledPlan plan = PlanCoupledExperiment(request);
+  ASSERT_TRUE(plan.IsUsable()) << plan.message;
+  EXPECT_LT(plan.axes[0].force, 1000.0);
+  double fastest = 0.0;
+  for (const double speed : plan.speed[0].value) fastest = std::max(fastest, std::abs(speed));
+  EXPECT_GT(fastest, 0.2);
+}
+
 // A lag is the vehicle's, and a wrench tells it; an offset is of two clocks.
 TEST(PlanCoupled, TellsALagAndNoOffset) {
   CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
@@ -271,6 +283,11 @@ TEST(PlanCoupled, SaysWhatIsMissing) {
   bad.limits.force[2] = 5.0;
   EXPECT_EQ(CoupledErrorOf(bad),
             "lake.yaml: key 'force' holds heave, which boat.json does not model, expected of "
+            "surge, sway, yaw.");
+  bad = request;
+  bad.limits.speed[4] = 0.5;
+  EXPECT_EQ(CoupledErrorOf(bad),
+            "lake.yaml: key 'speed' holds pitch, which boat.json does not model, expected of "
             "surge, sway, yaw.");
   bad = request;
   bad.model.train[5].mae = std::nan("");
