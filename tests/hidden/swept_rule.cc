@@ -37,6 +37,7 @@ const std::map<std::string, Change>& Changes() {
   static const std::map<std::string, Change> changes = {
       {"material_rest", Of(&VerdictRules::material_rest)},
       {"clear_rest_of_one_input", Of(&VerdictRules::clear_rest_of_one_input)},
+      {"material_rest_of_one_input", Of(&VerdictRules::material_rest_of_one_input)},
       {"share_of_work_at_first", Of(&VerdictRules::share_of_work_at_first)},
       {"more_than_scatter", Of(&VerdictRules::more_than_scatter)},
       {"loss_too_much", Of(&VerdictRules::loss_too_much)},

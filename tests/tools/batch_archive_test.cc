@@ -435,10 +435,10 @@ TEST_F(Batch, TakesTheNameOfTheVehicleFromItsFile) {
 
 TEST_F(Batch, RunsAgainWhatDidNotStart) {
   WriteArchive(archive_);
-  fs::create_directory(folder_ / "no tools");
+  WriteTestFile(folder_ / "no tools" / "fathom_compare", "no program\n");
   RunBatch(archive_, results_, {Flag("tools", folder_ / "no tools")});
   EXPECT_EQ(StatesOf(results_).at("dive 1/run 1"),
-            "refused: did not start: No such file or directory");
+            "refused: did not start: Permission denied");
   RunBatch(archive_, results_);
   ExpectTheRowsOfAFreshBatch();
 }

@@ -58,7 +58,7 @@ TEST(TableWidth, IsAtMost100OnTheBundledLogs) {
   const std::string pool = std::string("--from=") + FATHOM_DATA_DIR + "/recordings/pool.csv";
   ExpectTablesThatFit("fathom_identify", {kFlatfish, "--dof=surge"});
   ExpectTablesThatFit("fathom_compare", {kFlatfish});
-  ExpectTablesThatFit("fathom_compare", {kFlatfish, "--held_out=400:500"});
+  ExpectTablesThatFit("fathom_compare", {kFlatfish, "--held_out=240:300"});
   ExpectTablesThatFit("fathom_diagnose", {kFlatfish, "--dof=surge"});
   ExpectTablesThatFit("fathom_diagnose", {kFlatfish, "--dof=yaw"});
   ExpectTablesThatFit("fathom_check", {kFlatfish});

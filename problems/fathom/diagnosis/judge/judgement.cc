@@ -30,13 +30,20 @@ RemainingStructure RemainingOf(const Prepared& prepared, const Choice& choice) {
 bool Remains(const Prepared& prepared,
              const RemainingStructure& remaining,
              double gain,
-             const VerdictRules& rules,
-             double clear = RemainingStructure::kClear) {
+             double clear,
+             double material) {
   const double all_structure = prepared.has_baseline
                                    ? gain + remaining.gain
                                    : static_cast<double>(prepared.data.bins().size());
   return remaining.p_value < clear &&
-         remaining.gain - remaining.num_columns > rules.material_rest * all_structure;
+         remaining.gain - remaining.num_columns > material * all_structure;
+}
+
+bool Remains(const Prepared& prepared,
+             const RemainingStructure& remaining,
+             double gain,
+             const VerdictRules& rules) {
+  return Remains(prepared, remaining, gain, RemainingStructure::kClear, rules.material_rest);
 }
 
 // The best hypothesis that all training data call for, less what the held-out data refuse.
@@ -128,7 +135,11 @@ Judgement Concluded(const Prepared& prepared,
   std::optional<Coincidence> coincidence;
   if (verdict == Verdict::kExplained && !remaining.is_negligible) {
     const RemainingStructure of_one = FindRemainingOfOneInput(prepared.data, choice.fit());
-    if (Remains(prepared, of_one, book[chosen].gain, rules, rules.clear_rest_of_one_input)) {
+    if (Remains(prepared,
+                of_one,
+                book[chosen].gain,
+                rules.clear_rest_of_one_input,
+                rules.material_rest_of_one_input)) {
       remaining = of_one;
       verdict = Verdict::kUnexplained;
     }

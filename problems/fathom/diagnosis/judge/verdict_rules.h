@@ -15,6 +15,7 @@ struct VerdictRules {
   // What is left behind causes that would be certain, and follows one input alone, is no chance
   // [p-value]: they only have a shape like what is there.
   double clear_rest_of_one_input = 0.002;
+  double material_rest_of_one_input = 0.1;  // as material_rest
 
   // Of the work that a search may take: what it gets before it is known whether more is worth it.
   double share_of_work_at_first = 0.2;
