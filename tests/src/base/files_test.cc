@@ -87,5 +87,16 @@ TEST(Files, AreWrittenIntoAPipeNotInItsPlace) {
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
+// Each makes the folder to try, and takes it away again.
+TEST(Files, MayBeTriedInOneNewFolderAtTheSameTime) {
+  const auto folder = EmptyTestFolder() / "new";
+  const auto try_often = [&](const char* name) {
+    for (int i = 0; i < 500; ++i) RequireWritableFolder(folder / name);
+  };
+  std::thread other([&] { EXPECT_NO_THROW(try_often("a")); });
+  EXPECT_NO_THROW(try_often("b"));
+  other.join();
+}
+
 }  // namespace
 }  // namespace fathom

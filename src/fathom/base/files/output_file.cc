@@ -44,8 +44,8 @@ void WriteInto(const fs::path& file, std::string_view content, const fs::path& n
   if (!stream) RefuseToWrite(named, std::strerror(errno));
 }
 
-// Makes and removes the temporary that is to be beside `path`.
-void TryTemporaryOf(const fs::path& path) {
+// Makes and removes the temporary that is to be beside `path`. The error there was; 0: none.
+int ErrorOfTemporary(const fs::path& path) {
   std::error_code error;
   // Folders that are missing are made, and removed again from the innermost on.
   std::vector<fs::path> made;
@@ -57,10 +57,19 @@ void TryTemporaryOf(const fs::path& path) {
   const Temporary temporary(path);
   errno = 0;
   const bool can_write = std::ofstream(temporary.path(), std::ios::binary).is_open();
-  const std::string reason = std::strerror(errno);
+  const int reason = can_write ? 0 : errno;
   if (can_write) fs::remove(temporary.path(), error);
   for (const auto& folder : made) fs::remove(folder, error);
-  if (!can_write) RefuseToWrite(path, reason);
+  return reason;
+}
+
+// Again where the folder is gone that was there: another program that tries the same removes what
+// it made.
+void TryTemporaryOf(const fs::path& path) {
+  constexpr int kMostTimes = 20;
+  int reason = ENOENT;
+  for (int i = 0; i < kMostTimes && reason == ENOENT; ++i) reason = ErrorOfTemporary(path);
+  if (reason != 0) RefuseToWrite(path, std::strerror(reason));
 }
 
 }  // namespace
