@@ -438,7 +438,7 @@ TEST_F(Batch, RunsAgainWhatDidNotStart) {
   WriteTestFile(folder_ / "no tools" / "fathom_compare", "no program\n");
   RunBatch(archive_, results_, {Flag("tools", folder_ / "no tools")});
   EXPECT_EQ(StatesOf(results_).at("dive 1/run 1"),
-            "refused: did not start: Permission denied");
+            "refused: did not start: No such file or directory");
   RunBatch(archive_, results_);
   ExpectTheRowsOfAFreshBatch();
 }
