@@ -66,6 +66,7 @@ TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
 TEST(CheckUp, SendsALogOfFinsToACoupledModel) {
   Log log = OpenLog(WriteTable(1.0), {.dof = Dof::kSurge});
   log.fins = Stream{log.command->time, {"fin_rudder"}, log.command->values};
+  for (double& angle : log.fins->values[0]) angle *= 0.01;  // [rad]
   log.command.reset();
   const LogCheckup checkup = CheckUp(std::move(log), Dof::kSurge);
   ASSERT_EQ(checkup.dofs.size(), 1u);
