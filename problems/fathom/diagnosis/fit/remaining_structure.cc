@@ -181,7 +181,8 @@ double LogLikelihoodBeside(const RowMajorMatrix& design,
 }
 
 // What each kind of forces would gain. Learned anew, the noise of the fit alone may be likelier
-// too, at another maximum: that is no gain of the forces.
+// too, at another maximum: that is no gain of the forces. All are asked: the noise
+// of the fit has swallowed what it leaves, so that no look under that noise would do.
 std::vector<RemainingStructure> RemainingOf(
     const std::vector<std::vector<std::vector<double>>>& kinds,
     const ForceResponse& response,
@@ -192,26 +193,31 @@ std::vector<RemainingStructure> RemainingOf(
   const RowMajorMatrix own = DesignOf({}, response, fit);
   const Eigen::Index own_rank = RankOf(own, kLeastPivot);
   std::vector<RemainingStructure> remaining(kinds.size());
-  std::vector<double> log_likelihoods(kinds.size() + 1, -INFINITY);
-  ParallelFor(static_cast<int>(kinds.size()) + 1, [&](int i) {
+  std::vector<double> log_likelihoods(kinds.size(), -INFINITY);
+  ParallelFor(static_cast<int>(kinds.size()), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    if (k == kinds.size()) {
-      log_likelihoods[k] = LogLikelihoodBeside(own, data, fit);
-      return;
-    }
     const RowMajorMatrix design = DesignOf(kinds[k], response, fit);
     const Eigen::Index rank = RankOf(design, kLeastPivot);
     if (rank <= own_rank || design.rows() < kSamplesPerColumn * rank) return;
     log_likelihoods[k] = LogLikelihoodBeside(design, data, fit);
-    remaining[k].num_columns = static_cast<int>(rank - own_rank);
+    if (std::isfinite(log_likelihoods[k])) {
+      remaining[k].num_columns = static_cast<int>(rank - own_rank);
+    }
   });
-  const double without = std::max(fit.log_likelihood, log_likelihoods.back());
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    RemainingStructure& of_kind = remaining[k];
-    if (!std::isfinite(log_likelihoods[k])) of_kind.num_columns = 0;
-    if (of_kind.num_columns == 0) continue;
-    of_kind.gain = std::max(0.0, 2.0 * (log_likelihoods[k] - without));
-    of_kind.p_value = Eigen::numext::igammac(0.5 * of_kind.num_columns, 0.5 * of_kind.gain);
+  const auto count_from = [&](double without) {
+    double least = 1.0;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      RemainingStructure& of_kind = remaining[k];
+      if (of_kind.num_columns == 0) continue;
+      of_kind.gain = std::max(0.0, 2.0 * (log_likelihoods[k] - without));
+      of_kind.p_value = Eigen::numext::igammac(0.5 * of_kind.num_columns, 0.5 * of_kind.gain);
+      least = std::min(least, of_kind.p_value);
+    }
+    return least;
+  };
+  constexpr double kLooksClear = 0.01;
+  if (count_from(fit.log_likelihood) < kLooksClear) {
+    count_from(std::max(fit.log_likelihood, LogLikelihoodBeside(own, data, fit)));
   }
   return remaining;
 }
