@@ -180,14 +180,19 @@ double LogLikelihoodBeside(const RowMajorMatrix& design,
   return whitener.LogLikelihood(std::span(residual.data(), residual.size()));
 }
 
-// What each kind of forces would gain. Learned anew, the noise of the fit alone may be likelier
-// too, at another maximum: that is no gain of the forces. All are asked: the noise
-// of the fit has swallowed what it leaves, so that no look under that noise would do.
+// Over what a gain counts: the fit as it is, or with its noise learned anew, which may find
+// another, likelier maximum. Anew only where the fit weighs by learned noise: what a free run
+// misses is none.
+enum class Over { kFit, kFitWithNoiseAnew };
+
+// What each kind of forces would gain. The noise is learned beside each of them: that of the fit
+// has swallowed what it leaves, so that no look under that noise would do.
 std::vector<RemainingStructure> RemainingOf(
     const std::vector<std::vector<std::vector<double>>>& kinds,
     const ForceResponse& response,
     const TrainingData& data,
-    const StructureFit& fit) {
+    const StructureFit& fit,
+    Over over) {
   constexpr double kLeastPivot = 1e-5;
   constexpr Eigen::Index kSamplesPerColumn = 5;
   const RowMajorMatrix own = DesignOf({}, response, fit);
@@ -216,7 +221,7 @@ std::vector<RemainingStructure> RemainingOf(
     return least;
   };
   constexpr double kLooksClear = 0.01;
-  if (count_from(fit.log_likelihood) < kLooksClear) {
+  if (count_from(fit.log_likelihood) < kLooksClear && over == Over::kFitWithNoiseAnew) {
     count_from(std::max(fit.log_likelihood, LogLikelihoodBeside(own, data, fit)));
   }
   return remaining;
@@ -233,7 +238,8 @@ std::vector<std::pair<std::string_view, RemainingStructure>> TriedByInput(const 
     tried.emplace_back(input, RemainingStructure());
     kinds.push_back(std::move(forces));
   }
-  const std::vector<RemainingStructure> remaining = RemainingOf(kinds, response, data, fit);
+  const std::vector<RemainingStructure> remaining =
+      RemainingOf(kinds, response, data, fit, Over::kFitWithNoiseAnew);
   for (std::size_t k = 0; k < tried.size(); ++k) tried[k].second = remaining[k];
   std::erase_if(tried, [](const auto& form) { return form.second.num_columns == 0; });
   return tried;
@@ -247,7 +253,7 @@ RemainingStructure FindRemainingStructure(const TrainingData& data, const Struct
   const Points& points = response.points();
   constexpr int kLooks = 2;
   const std::vector<RemainingStructure> looks =
-      RemainingOf({FreeForces(points), ThrustOverTime(points)}, response, data, fit);
+      RemainingOf({FreeForces(points), ThrustOverTime(points)}, response, data, fit, Over::kFit);
   RemainingStructure remaining = looks.front();
   if (remaining.num_columns == 0) return remaining;
   if (looks.back().p_value < std::min(remaining.p_value, RemainingStructure::kClear / kLooks)) {

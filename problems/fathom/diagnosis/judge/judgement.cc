@@ -133,7 +133,9 @@ Judgement Concluded(const Prepared& prepared,
   const bool is_suspected = runs.unseen.by_log && chosen == 0 && !choice.refusals.empty();
   Verdict verdict = VerdictOf(remains || refusal || is_suspected, chosen != 0, !rivals.empty());
   std::optional<Coincidence> coincidence;
-  if (verdict == Verdict::kExplained && !remaining.is_negligible) {
+  // By likelihood: what a free run misses is no noise.
+  if (verdict == Verdict::kExplained && !remaining.is_negligible &&
+      search.criterion == Criterion::kLearnedNoise) {
     const RemainingStructure of_one = FindRemainingOfOneInput(prepared.data, choice.fit());
     if (Remains(prepared,
                 of_one,
