@@ -132,8 +132,7 @@ std::string MissedWords(const CoupledDiagnosis& diagnosis,
   std::vector<std::string> missed;
   for (const Dof dof : diagnosis.missed) {
     const auto at = static_cast<std::size_t>(Index(dof));
-    missed.push_back(
-        fmt::format("{} {:.0f} %", Name(dof), 100.0 * identified.prediction.figures[at].nmae));
+    missed.push_back(fmt::format("{} {:.0f} %", Name(dof), 100.0 * diagnosis.run_nmae[at]));
   }
   if (missed.empty()) return "";
   return fmt::format(" Free runs of {:g} s still miss more of the motion than scatter does: {}.",

@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/coupled_diagnosis.h"
 
+#include "fathom/coupled/window_residuals.h"
 #include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace fathom {
@@ -39,6 +41,39 @@ std::vector<NamedEntry> CausesIn(const CoupledSummary& fit, const Ladder& ladder
   return causes;
 }
 
+// Free runs over the windows of the fit, from the starts that it found, by Index(Dof). Nothing
+// where blocks were fitted one by one, which leaves no starts, or where a run diverges.
+std::optional<std::array<std::vector<FreeRun>, 6>> RunsOfFit(
+    const CoupledIdentification& identified) {
+  const auto windows = CoupledWindowsOf(identified.data, identified.fit_options.window);
+  const std::vector<CoupledState>& starts = identified.fit.starts;
+  if (starts.size() != windows.size()) return std::nullopt;
+  std::array<std::vector<FreeRun>, 6> runs;
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    const CoupledSegment& segment = *windows[w].segment;
+    const auto [begin, end] = windows[w].samples;
+    CoupledStamps stamps;
+    stamps.start = segment.time[begin];
+    stamps.velocity.assign(segment.time.begin() + static_cast<std::ptrdiff_t>(begin),
+                           segment.time.begin() + static_cast<std::ptrdiff_t>(end));
+    CoupledOutputs outputs;
+    if (!RunCoupled(identified.fitted.model, windows[w].log->inputs, starts[w], stamps, &outputs)) {
+      return std::nullopt;
+    }
+    for (const Dof dof : identified.fitted.model.dofs) {
+      FreeRun& run = runs[static_cast<std::size_t>(Index(dof))].emplace_back();
+      for (std::size_t i = begin; i < end; ++i) {
+        const double measured = segment.velocity[i][Index(dof)];
+        if (!std::isfinite(measured)) continue;
+        run.time.push_back(segment.time[i]);
+        run.measured.push_back(measured);
+        run.predicted.push_back(outputs.velocity[i - begin][Index(dof)]);
+      }
+    }
+  }
+  return runs;
+}
+
 bool IsRed(const Finding& finding) { return finding.severity == Severity::kWarning; }
 
 Verdict VerdictOf(const CoupledDiagnosis& diagnosis) {
@@ -59,13 +94,16 @@ CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
   CoupledDiagnosis diagnosis;
   diagnosis.findings = std::move(findings);
   diagnosis.causes = CausesIn(identified.fit, *identified.ladder);
-  diagnosis.scatter_nmae.fill(std::numeric_limits<double>::quiet_NaN());
+  diagnosis.run_nmae.fill(std::numeric_limits<double>::quiet_NaN());
+  diagnosis.scatter_nmae = diagnosis.run_nmae;
+  const auto of_fit = RunsOfFit(identified);
   for (const Dof dof : identified.fitted.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
-    const std::vector<FreeRun> runs = RunsAlong(dof, identified);
+    const std::vector<FreeRun> runs = of_fit ? (*of_fit)[at] : RunsAlong(dof, identified);
     diagnosis.scatter_nmae[at] = NmaeOfScatter(runs);
-    const double nmae = FiguresOfRuns(runs).nmae;
-    if (nmae > std::max(kMuchMoreThanScatter * diagnosis.scatter_nmae[at], kLeastMissed)) {
+    diagnosis.run_nmae[at] = FiguresOfRuns(runs).nmae;
+    if (diagnosis.run_nmae[at] >
+        std::max(kMuchMoreThanScatter * diagnosis.scatter_nmae[at], kLeastMissed)) {
       diagnosis.missed.push_back(dof);
     }
   }

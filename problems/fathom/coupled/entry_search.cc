@@ -106,6 +106,17 @@ CoupledSummary FitWith(std::span<const CoupledData> logs,
   return FitCoupled(logs, longer, options);
 }
 
+// What that fit costs under the noise of the search; infinite where it leads nowhere.
+double CostWith(std::span<const CoupledData> logs,
+                const EntrySearch& search,
+                const EntryTest& test,
+                CoupledFitOptions options) {
+  options.learns_noise = false;
+  const CoupledSummary fit = FitWith(logs, search, test, options);
+  const bool counts = fit.converged && MayBe(test.entry, ValueIn(fit.model, test.entry));
+  return counts ? fit.cost : std::numeric_limits<double>::infinity();
+}
+
 // What the data ask for most, and what would do nearly as well.
 struct Wanted {
   EntryTest test;
@@ -129,7 +140,7 @@ Wanted MostWanted(std::span<const CoupledData> logs,
                   const EntrySearch& search,
                   const std::vector<EntryTest>& tests,
                   double least,
-                  CoupledFitOptions options) {
+                  const CoupledFitOptions& options) {
   const auto strength = [](const EntryTest& test) { return std::abs(test.z); };
   const EntryTest& strongest = *std::ranges::max_element(tests, {}, strength);
   const double strong = std::max(least, strength(strongest) - kAboutAsStrong);
@@ -140,13 +151,8 @@ Wanted MostWanted(std::span<const CoupledData> logs,
   }
   Wanted wanted = {strongest, Alike(strongest, tests)};
   if (rivals.size() == 1) return wanted;
-  options.learns_noise = false;
   std::vector<double> costs;
-  for (const EntryTest* rival : rivals) {
-    const CoupledSummary fit = FitWith(logs, search, *rival, options);
-    const bool counts = fit.converged && MayBe(rival->entry, ValueIn(fit.model, rival->entry));
-    costs.push_back(counts ? fit.cost : std::numeric_limits<double>::infinity());
-  }
+  for (const EntryTest* rival : rivals) costs.push_back(CostWith(logs, search, *rival, options));
   const auto nearest = std::ranges::min_element(costs);
   if (!std::isfinite(*nearest)) return wanted;
   wanted = {*rivals[static_cast<std::size_t>(nearest - costs.begin())]};
@@ -181,6 +187,38 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
   return search->fit.IsUsable();
 }
 
+// The fit of a structure to the noise that another fit learned, from its model.
+CoupledSummary FitToNoiseOf(std::span<const CoupledData> logs,
+                            const MotionStructure& structure,
+                            const CoupledSummary& fit,
+                            CoupledFitOptions options) {
+  options.start = fit.model;
+  options.noise = fit.noise;
+  options.priors = fit.priors;
+  options.learns_noise = false;
+  return FitCoupled(logs, structure, options);
+}
+
+// Those of the rivals of a named entry that do nearly as well in its place beside all that was
+// found. When it was added, what was found later stood in the residuals, and rivals took it up.
+std::vector<FreeEntry> StillRivals(std::span<const CoupledData> logs,
+                                   const EntrySearch& search,
+                                   const NamedEntry& named,
+                                   const CoupledFitOptions& options) {
+  const CoupledSummary with = FitToNoiseOf(logs, search.structure, search.fit, options);
+  EntrySearch without = search;
+  std::erase(without.structure.entries, named.entry);
+  SetValue(named.entry, WithoutEffect(named.entry, options.held), &without.fit.model);
+  without.fit = FitToNoiseOf(logs, without.structure, without.fit, options);
+  if (!with.converged || !without.fit.converged) return named.not_told_apart;
+  std::vector<FreeEntry> rivals;
+  for (const EntryTest& test : TestEntries(logs, without.fit, named.not_told_apart, options)) {
+    const bool is_as_near = CostWith(logs, without, test, options) < with.cost + kAsNear;
+    if (is_as_near) rivals.push_back(test.entry);
+  }
+  return rivals;
+}
+
 }  // namespace
 
 double StdOf(const CoupledSummary& fit, const FreeEntry& entry) {
@@ -212,6 +250,7 @@ double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const Coupl
 EntrySearch SearchEntries(std::span<const CoupledData> logs,
                           EntrySearch begun,
                           const EntrySearchOptions& options) {
+  const std::vector<NamedEntry> given = begun.named;
   EntrySearch search = std::move(begun);
   if (search.fit.starts.empty()) {
     // Blocks were fitted one by one; the tests need one run of all.
@@ -256,6 +295,9 @@ EntrySearch SearchEntries(std::span<const CoupledData> logs,
   for (NamedEntry& named : search.named) {
     named.value = ValueIn(search.fit.model, named.entry);
     named.std = StdOf(search.fit, named.entry);
+    const bool is_given = std::ranges::count(given, named.entry, &NamedEntry::entry) > 0;
+    if (is_given || named.not_told_apart.empty()) continue;
+    named.not_told_apart = StillRivals(logs, search, named, options.fit);
   }
   return search;
 }

@@ -31,6 +31,7 @@ constexpr int kMostStamps = 3000;
 // Rivals take longer to tell apart than parameters.
 constexpr int kNumStarts = 4;
 constexpr int kNumStartsWithRivals = 2;
+constexpr double kLongRun = 120.0;  // [s], from where on there are fewer: building takes the square
 constexpr int kDrawnPerBlock = 40;
 constexpr int kDrawnPerBlockWithRivals = 12;
 
@@ -60,7 +61,8 @@ CommandTask TaskOf(const PlanRequest& request,
   const double num_moves = std::min(kMostMoves, work / (duration / period));
   task.num_moves = static_cast<int>(request.effort * num_moves);
   const int most_starts = request.rivals.empty() ? kNumStarts : kNumStartsWithRivals;
-  task.num_starts = std::max(1, static_cast<int>(request.effort * most_starts));
+  const double shorter = std::min(1.0, kLongRun / duration);
+  task.num_starts = std::max(1, static_cast<int>(request.effort * shorter * most_starts));
   task.drawn_per_block = request.rivals.empty() ? kDrawnPerBlock : kDrawnPerBlockWithRivals;
   task.measure = request.rivals.empty() ? InformationMeasure(request, noise)
                                         : SeparationMeasure(request, request.rivals, noise);

@@ -178,5 +178,27 @@ TEST(AWeakCubicDamping, IsNotToldFromAFriction) {
   EXPECT_THAT(possible, Contains(cubic));
 }
 
+// A friction in surge does nearly as well as a dead zone in yaw, as long as it is not found itself.
+TEST(ADeadZone, IsToldFromAFrictionThatIsFoundAfterIt) {
+  std::mt19937 random(9000);
+  CoupledModel vehicle = DrawnPlanarVehicle(&random);
+  SetValue(ParseFreeEntry("coulomb_friction.surge"), 1.0, &vehicle);
+  SetValue(ParseFreeEntry("cubic_damping.sway"), 60.0, &vehicle);
+  SetValue(ParseFreeEntry("inertia.sway.yaw"),
+           0.1 * std::sqrt(vehicle.inertia(1, 1) * vehicle.inertia(5, 5)),
+           &vehicle);
+  SetValue(ParseFreeEntry("thrust_dead_zone.yaw"), 0.3, &vehicle);
+  CoupledLogs logs;
+  logs.data = {DrawnLog(vehicle, {.duration = 100.0}, &random)};
+  const Ladder ladder = ClimbLadder(logs, vehicle.dofs, {});
+  std::vector<std::string> names;
+  for (const NamedEntry& named : ladder.named) {
+    names.push_back(NameOf(named.entry));
+    EXPECT_TRUE(named.not_told_apart.empty()) << names.back();
+  }
+  EXPECT_THAT(names, Contains("thrust_dead_zone.yaw"));
+  EXPECT_THAT(names, Contains("coulomb_friction.surge"));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -25,6 +25,8 @@
 #include <system_error>
 #include <vector>
 
+#include <malloc.h>
+
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 #include <glog/logging.h>
@@ -237,11 +239,20 @@ std::string& CommandLineOfThis() {
   return line;
 }
 
+// Memory that was given back and is asked for again comes from the system in pages of 4 kB: a
+// quarter of the CPU time of fathom_plan. Up to this much stays here instead.
+void KeepMemory() {
+  constexpr int kMostKept = 256 << 20, kLargestKept = 32 << 20;  // bytes; of one piece
+  mallopt(M_TRIM_THRESHOLD, kMostKept);
+  mallopt(M_MMAP_THRESHOLD, kLargestKept);
+}
+
 }  // namespace
 
 const std::string& CommandLine() { return CommandLineOfThis(); }
 
 int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int()>& run) {
+  KeepMemory();
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_FATAL;  // what a solver tries and drops is no news to a user
   google::InitGoogleLogging(info.name.c_str());
