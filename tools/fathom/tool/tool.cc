@@ -25,11 +25,10 @@
 #include <system_error>
 #include <vector>
 
-#include <malloc.h>
-
 #include <fmt/format.h>
 #include <gflags/gflags.h>
 #include <glog/logging.h>
+#include <malloc.h>
 
 namespace fathom {
 namespace {
