@@ -281,6 +281,31 @@ TEST(Refusals, TheDamagesAreDifferent) {
 }
 
 // The other tools that take a DOF.
+TEST(Refusals, SayWhatToDoForSeveralDofs) {
+  const Inputs inputs;
+  const auto refused = [&](const std::string& tool, const std::string& dof) {
+    const ToolRun run = RunToolBinary(tool, {Flag("log", inputs.log), "--dof=" + dof});
+    EXPECT_EQ(run.exit_code, 1);
+    return run.err;
+  };
+  // fathom_check has no --dofs.
+  EXPECT_EQ(refused("fathom_check", "surge,yaw"),
+            "fathom_check: --dof: is 'surge,yaw', expected one DOF: a run for each, --dof=surge "
+            "first.\n");
+  for (const std::string tool : {"fathom_identify", "fathom_diagnose"}) {
+    EXPECT_EQ(refused(tool, "surge,yaw,surge"),
+              tool +
+                  ": --dof: is 'surge,yaw,surge', expected one DOF. Several as one motion: "
+                  "--dofs=surge,yaw.\n");
+  }
+  for (const std::string tool : {"fathom_check", "fathom_identify"}) {
+    EXPECT_EQ(refused(tool, "surge,surge"),
+              tool + ": --dof: is 'surge,surge', expected one DOF: --dof=surge.\n");
+    EXPECT_EQ(refused(tool, "surge,yow"),
+              tool + ": --dof: is 'yow', expected surge, sway, heave, roll, pitch or yaw.\n");
+  }
+}
+
 TEST(Refusals, CheckSuggestsDofForDofs) {
   EXPECT_EQ(ExpectRefusal("fathom_check", {"--dofs=surge"}, EmptyTestFolder()),
             "fathom_check: --dofs: there is no such flag, did you mean --dof? See fathom_check "

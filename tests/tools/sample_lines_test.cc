@@ -57,31 +57,66 @@ TEST(SampleLines, PassOverBlankLinesAndComments) {
 }
 
 TEST(SampleLines, SayLineColumnFoundAndExpected) {
-  const std::string advice =
-      ", expected a finite number. Remove the line or repair it upstream; this reader does not "
-      "guess.";
-  EXPECT_EQ(Take("t,tau,v\n\n0,1,2\n1,x,3\n").problem, "stdin:4: column 'tau' is 'x'" + advice);
-  EXPECT_EQ(Take("0,1,nan\n").problem, "stdin:1: column 'v' is 'nan'" + advice);
-  EXPECT_EQ(Take("0,,1\n").problem, "stdin:1: column 'tau' is empty" + advice);
-  EXPECT_EQ(Take("0,1,2\nt,tau,v\n").problem, "stdin:2: column 't' is 't'" + advice);
-  EXPECT_EQ(Take("0,1,2\n1,2\n").problem, "stdin:2: the line has 2 cells, expected 3.");
-  EXPECT_EQ(Take("0;1;2\n").problem,
-            "stdin:1: column 't' is missing, found 0;1;2; expected t, tau, v.");
+  const std::string advice = " Remove the line or repair it upstream; this reader does not guess.";
+  const std::string finite = ", expected a finite number." + advice;
+  const std::string number = ", expected a number such as -0.25." + advice;
+  EXPECT_EQ(Take("t,tau,v\n\n0,1,2\n1,x,3\n").problem, "stdin:4: column 'tau' is 'x'" + number);
+  EXPECT_EQ(Take("0,1,nan\n").problem, "stdin:1: column 'v' is 'nan'" + finite);
+  EXPECT_EQ(Take("0,-Inf,1\n").problem, "stdin:1: column 'tau' is '-Inf'" + finite);
+  EXPECT_EQ(Take("0,,1\n").problem, "stdin:1: column 'tau' is empty" + finite);
+  EXPECT_EQ(Take("0,1,2\nt,tau,v\n").problem, "stdin:2: column 't' is 't'" + number);
+  EXPECT_EQ(Take("0,1,2\n1,2\n").problem,
+            "stdin:2: the line has 2 cells, '1,2', expected 3: t,tau,v.");
+  EXPECT_EQ(Take("# a dive\nt,u,tau,v\n1\n").problem,
+            "stdin:3: the line has 1 cell, '1', expected 4 as on line 2.");
   EXPECT_EQ(Take("t,tau,u\n").problem,
             "stdin:1: column 'v' is missing, found t, tau, u; expected t, tau, v.");
-  EXPECT_EQ(Take("t,tau,v,t\n").problem, "stdin:1: column 't' stands twice, expected once.");
-  EXPECT_THAT(Take("0,1,2\r\n").problem,
-              StartsWith("stdin:1: the line ends in a carriage return, expected a line feed"));
+  EXPECT_EQ(Take("t,tau,v,t\n").problem,
+            "stdin:1: column 't' stands twice, as column 1 and 4. Remove or rename one.");
   EXPECT_EQ(Take("0,1,2\n" + std::string(5000, '1')).problem,
             "stdin:2: the line has more than 4095 bytes, expected t,tau,v.");
+}
+
+TEST(SampleLines, SayWhatSeparatesInsteadOfCommas) {
+  const std::string expected = ", expected commas: t,tau,v.";
+  EXPECT_EQ(Take("0;1;2\n").problem, "stdin:1: the cells are separated by ';'" + expected);
+  EXPECT_EQ(Take("t\ttau\tv\n").problem, "stdin:1: the cells are separated by tabs" + expected);
+  EXPECT_EQ(Take("t,tau,v\n0 1 2\n").problem,
+            "stdin:2: the cells are separated by spaces" + expected);
+}
+
+TEST(SampleLines, RefuseNamesWithUnits) {
+  EXPECT_EQ(Take("t_ms,tau,v\n").problem,
+            "stdin:1: column 't_ms' is the time with a unit, expected SI units and plain names. "
+            "Convert to SI and name the column 't'.");
+  EXPECT_EQ(Take("t,tau [kN],v\n").problem,
+            "stdin:1: column 'tau [kN]' is 'tau' with a unit, expected SI units and plain names. "
+            "Convert to SI and name the column 'tau'.");
+  // Beside the column itself it is one more that is not read.
+  EXPECT_THAT(Take("t,t_ms,tau,v\n0.5,500,-2,0.25\n").samples,
+              ElementsAre(ElementsAre(0.5, -2.0, 0.25)));
+}
+
+TEST(SampleLines, RefuseWhatIsNoPlainText) {
+  EXPECT_THAT(Take("0,1,2\r\n").problem,
+              StartsWith("stdin:1: the line ends in a carriage return, expected a line feed"));
+  EXPECT_EQ(Take("\xef\xbb\xbft,tau,v\n").problem,
+            "stdin:1: starts with a UTF-8 byte order mark, expected t,tau,v. Send the stream "
+            "through sed '1s/^\\xEF\\xBB\\xBF//'.");
+  EXPECT_THAT(Take("\xff\xfet").problem, StartsWith("stdin:1: is UTF-16, expected plain text."));
+  EXPECT_THAT(Take(std::string("0,1,2\n1,\0,2\n", 12)).problem,
+              StartsWith("stdin:2: a NUL byte amid the text, expected t,tau,v."));
 }
 
 TEST(SampleLines, RefuseStampsThatDoNotRise) {
   const Taken back = Take("3,1,2\n2.5,1,2\n");
   EXPECT_EQ(back.samples.size(), 1u);
-  EXPECT_EQ(back.problem, "stdin:2: column 't' goes back from 3 to 2.5, expected rising stamps.");
-  EXPECT_EQ(Take("3,1,2\n3,1,2\n").problem,
-            "stdin:2: column 't' does not rise from 3 to 3, expected rising stamps.");
+  EXPECT_EQ(back.problem,
+            "stdin:2: column 't' goes back from 3 to 2.5, expected rising stamps. Sort the lines, "
+            "or begin anew, with another --state, where the clock was reset.");
+  EXPECT_EQ(Take("3,1,2\n\n3,1,2\n").problem,
+            "stdin:3: column 't' is 3 as on line 1, expected rising stamps. Leave out one of the "
+            "two lines, or print t with more digits.");
 }
 
 TEST(SampleLines, PassOverAStreamUpToWhereTheyGoOn) {

@@ -17,7 +17,7 @@ std::vector<std::string> AdaptiveGains::Problems() const {
   }
   for (size_t k = 0; k < lambda.size(); ++k) {
     if (!(lambda[k] > 0.0) || !std::isfinite(lambda[k])) {
-      problems.push_back(fmt::format("lambda[{}] is {}, expected a number above 0", k, lambda[k]));
+      problems.push_back(fmt::format("l{} is {}, expected a number above 0", k + 1, lambda[k]));
     }
   }
   return problems;

@@ -203,6 +203,7 @@ BatchSummary RunBatch(const BatchOptions& options,
 
   BatchSummary summary;
   summary.other_files = batch.found.other_files;
+  summary.nearly_logs = batch.found.nearly_logs;
   std::vector<std::string> paths;
   for (const HashedLog& log : all) paths.push_back(log.path);
   store.RemoveOtherLogs(paths);
@@ -250,6 +251,7 @@ BatchPlan PlanBatch(const BatchOptions& options) {
   plan.num_logs = batch.logs.size();
   plan.num_to_do = to_do.size();
   plan.other_files = batch.found.other_files;
+  plan.nearly_logs = batch.found.nearly_logs;
   for (const LogRow& row : batch.store.ReadSummaryTables().logs) {
     if (to_do.contains(row.path)) ++plan.done_by_version[row.version];
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/archive/batch_progress.h"
+#include "fathom/archive/dives/nearly_log.h"
 #include "fathom/archive/jobs/log_state.h"
 #include "fathom/base/dof.h"
 
@@ -52,7 +53,8 @@ struct BatchSummary {
   std::map<LogState, int> states;          // of all logs, or of those of the shard
   std::vector<std::string> dives;          // in their order
   std::map<std::string, int> other_files;  // that are no logs, by kind
-  std::size_t num_run = 0;                 // logs that something had to be run for
+  std::vector<NearlyLog> nearly_logs;
+  std::size_t num_run = 0;  // logs that something had to be run for
   // Pages of diagnoses that are there, by log and DOF: names within BatchOptions::pages.
   std::map<std::pair<std::string, std::string>, std::string> pages;
 };
@@ -64,6 +66,7 @@ struct BatchPlan {
   std::size_t num_to_do = 0;
   std::map<std::string, int> done_by_version;  // of what is to be done again
   std::map<std::string, int> other_files;
+  std::vector<NearlyLog> nearly_logs;
 };
 
 // Reprocesses an archive into its results; docs/archive.md. What was done before, by this version

@@ -34,13 +34,16 @@ int Sum(const std::map<std::string, int>& counts) {
   return sum;
 }
 
-std::string OtherFilesText(const std::map<std::string, int>& other_files) {
+std::string OtherFilesText(const std::map<std::string, int>& other_files,
+                           const std::vector<NearlyLog>& nearly_logs) {
   const int sum = Sum(other_files);
   if (sum == 0) return "";
-  return fmt::format("{} {}: {}\n",
+  const std::string nearly = NearlyLogsSentence(nearly_logs);
+  return fmt::format("{} {}: {}\n{}",
                      Plural(static_cast<std::size_t>(sum), "other file"),
                      sum == 1 ? "that is no log" : "that are no logs",
-                     CountsText(other_files));
+                     CountsText(other_files),
+                     nearly.empty() ? "" : nearly + "\n");
 }
 
 // In double quotes where a cell needs them.
@@ -71,6 +74,8 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
   // A part of many knows no dives.
   if (!summary.dives.empty()) {
     for (const std::string& sentence : ChangeSentences(tables)) text += sentence + "\n";
+    const std::string without = DivesWithoutFitSentence(tables);
+    if (!without.empty()) text += without + "\n";
   }
   std::vector<std::string> states;
   std::size_t num_logs = 0;
@@ -87,7 +92,7 @@ std::string FormatSummary(const BatchSummary& summary, const Tables& tables) {
       "{} run now, {} done before\n", Plural(summary.num_run, "log"), num_logs - summary.num_run);
   if (const std::string coupled = CoupledSentence(tables); !coupled.empty()) text += coupled + "\n";
   if (const std::string out = LeftOutSentence(tables); !out.empty()) text += out + "\n";
-  text += OtherFilesText(summary.other_files);
+  text += OtherFilesText(summary.other_files, summary.nearly_logs);
   bool is_first = true;
   for (const LogRow& row : tables.logs) {
     if (row.status == "ok") continue;
@@ -129,7 +134,7 @@ std::string FormatPlan(const BatchPlan& plan, const std::string& version) {
   }
   const auto fresh = plan.num_to_do - static_cast<std::size_t>(known);
   if (fresh > 0) text += fmt::format("{} new\n", Plural(fresh, "log"));
-  return text + OtherFilesText(plan.other_files);
+  return text + OtherFilesText(plan.other_files, plan.nearly_logs);
 }
 
 std::string FormatFitsCsv(const std::vector<FitRow>& fits) {

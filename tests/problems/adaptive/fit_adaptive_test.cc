@@ -170,7 +170,11 @@ TEST(AdaptiveIdentifier, KeepsItsParametersAcrossSegments) {
 TEST(AdaptiveIdentifier, RefusesGainsThatBreakTheirRules) {
   EXPECT_THROW(AdaptiveIdentifier(AdaptiveOptions{}), InputError);
   const AdaptiveGains wrong = {0.1, {0.5, -0.5, 0.0, 0.05}};
-  EXPECT_EQ(wrong.Problems().size(), 3u);
+  // By the words of --gains=a_m,l1,l2,l3,l4.
+  EXPECT_THAT(wrong.Problems(),
+              testing::ElementsAre("a_m is 0.1, expected a number below 0",
+                                   "l2 is -0.5, expected a number above 0",
+                                   "l3 is 0, expected a number above 0"));
   EXPECT_EQ(AdaptiveGains{}.Problems().size(), 5u);
   EXPECT_THROW(AdaptiveIdentifier({.gains = wrong}), InputError);
   EXPECT_THROW(FitAdaptive({}, {.gains = wrong}), InputError);

@@ -321,6 +321,19 @@ TEST(CoupledSynthesis, RefusesWhatTheVehicleCannotDo) {
   EXPECT_THAT(ErrorOf(vehicle, rudder), HasSubstr("vehicle 'rov': has no coupled_model"));
 }
 
+TEST(CoupledSynthesis, RefusesToTurnAFinFartherThanItGoes) {
+  Vehicle vehicle = CoupledRov();
+  const auto with_steps_to = [](const std::string& angle) {
+    return "fins: {rudder: {kind: steps, levels: [0.1, " + angle + "], hold: 1}}\n";
+  };
+  EXPECT_EQ(ErrorOf(vehicle, with_steps_to("-0.31")), "no error");
+  vehicle.fins[0].largest_angle = 0.3;
+  EXPECT_EQ(ErrorOf(vehicle, with_steps_to("-0.3")), "no error");
+  EXPECT_EQ(ErrorOf(vehicle, with_steps_to("-0.31")),
+            "experiment 'run': turns the fin 'rudder' to -0.31 rad, expected at most 0.3 rad to "
+            "either side, its `largest_angle` in the file of vehicle 'rov'.");
+}
+
 TEST(CoupledSynthesis, RefusesAMotionThatLeavesTheFiniteNumbers) {
   EXPECT_THAT(ErrorOf(CoupledRov(), StepsOn("surge", 9e8)),
               HasSubstr("vehicle 'rov': its speed leaves the finite numbers"));

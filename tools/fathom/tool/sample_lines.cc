@@ -5,8 +5,10 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/number.h"
+#include "fathom/base/plural.h"
 #include "fathom/base/quoted.h"
 #include "fathom/base/trimmed.h"
+#include "fathom/log/csv/unit_suffix.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,6 +28,13 @@ void SplitSampleLine(std::string_view line, std::vector<std::string_view>* cells
     cells->push_back(Trimmed(line.substr(begin, end - begin)));
     begin = end + 1;
   }
+}
+
+bool MeansNoFiniteNumber(std::string_view cell) {
+  std::string lower;
+  for (const char c : cell) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
+  return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
 bool IsNumberCell(std::string_view cell) { return ParseFiniteNumber(cell).has_value(); }
@@ -68,7 +77,50 @@ bool SampleLines::ReadLine() {
   return true;
 }
 
+// What no line of a stream may hold, however its cells are separated.
+void SampleLines::RefuseWhatIsNoPlainText() const {
+  if (line_ == 1 && text_.starts_with("\xef\xbb\xbf")) {
+    Fail(
+        "starts with a UTF-8 byte order mark, expected t,tau,v. Send the stream through "
+        "sed '1s/^\\xEF\\xBB\\xBF//'.");
+  }
+  if (line_ == 1 && (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))) {
+    Fail("is UTF-16, expected plain text. Send the stream through iconv -f UTF-16 -t ASCII.");
+  }
+  if (text_.find('\0') != std::string_view::npos) {
+    Fail("a NUL byte amid the text, expected t,tau,v. What writes the stream is no text.");
+  }
+  if (text_.ends_with('\r')) {
+    Fail(
+        "the line ends in a carriage return, expected a line feed only. Send the stream through "
+        "tr -d '\\r'.");
+  }
+}
+
+// Of cells that commas do not separate, what does.
+void SampleLines::RefuseOtherSeparators() const {
+  if (cells_.size() != 1) return;
+  for (const auto& [separator, name] : {std::pair{';', "';'"}, {'\t', "tabs"}, {' ', "spaces"}}) {
+    if (text_.find(separator) == std::string_view::npos) continue;
+    Fail(fmt::format("the cells are separated by {}, expected commas: t,tau,v.", name));
+  }
+}
+
+void SampleLines::RefuseUnits() const {
+  for (const std::string_view cell : cells_) {
+    const auto name = NameWithoutUnit(cell, {kSampleColumns.begin(), kSampleColumns.end()});
+    if (!name || std::ranges::count(cells_, *name) > 0) continue;
+    Fail(
+        fmt::format("column {} is {} with a unit, expected SI units and plain names. Convert to SI "
+                    "and name the column '{}'.",
+                    Quoted(cell),
+                    *name == "t" ? "the time" : Quoted(*name),
+                    *name));
+  }
+}
+
 void SampleLines::TakeNames() {
+  RefuseUnits();
   for (std::size_t role = 0; role < column_.size(); ++role) {
     const auto named = std::ranges::find(cells_, kSampleColumns[role]);
     if (named == cells_.end()) {
@@ -76,12 +128,17 @@ void SampleLines::TakeNames() {
                        kSampleColumns[role],
                        NamesIn(cells_)));
     }
-    if (std::ranges::count(cells_, kSampleColumns[role]) > 1) {
-      Fail(fmt::format("column '{}' stands twice, expected once.", kSampleColumns[role]));
+    const auto again = std::find(named + 1, cells_.end(), kSampleColumns[role]);
+    if (again != cells_.end()) {
+      Fail(fmt::format("column '{}' stands twice, as column {} and {}. Remove or rename one.",
+                       kSampleColumns[role],
+                       named - cells_.begin() + 1,
+                       again - cells_.begin() + 1));
     }
     column_[role] = static_cast<std::size_t>(named - cells_.begin());
   }
   num_cells_ = cells_.size();
+  line_of_names_ = line_;
   for (const std::string_view cell : cells_) {
     if (std::ranges::count(kSampleColumns, cell) == 0) not_read_.emplace_back(Printable(cell));
   }
@@ -90,19 +147,28 @@ void SampleLines::TakeNames() {
 double SampleLines::NumberIn(std::size_t role) const {
   const std::string_view cell = cells_[column_[role]];
   if (const auto number = ParseFiniteNumber(cell)) return *number;
-  Fail(
-      fmt::format("column '{}' is {}, expected a finite number. Remove the line or repair it "
-                  "upstream; this reader does not guess.",
-                  kSampleColumns[role],
-                  cell.empty() ? "empty" : Quoted(cell)));
+  Fail(fmt::format(
+      "column '{}' is {}, expected a {}. Remove the line or repair it upstream; this "
+      "reader does not guess.",
+      kSampleColumns[role],
+      cell.empty() ? "empty" : Quoted(cell),
+      cell.empty() || MeansNoFiniteNumber(cell) ? "finite number" : "number such as -0.25"));
 }
 
 void SampleLines::RequireRising(double t) const {
   if (!last_stamp_ || t > *last_stamp_) return;
-  Fail(fmt::format("column 't' {} from {} to {}, expected rising stamps.",
-                   t < *last_stamp_ ? "goes back" : "does not rise",
-                   *last_stamp_,
-                   t));
+  if (t == *last_stamp_) {
+    Fail(
+        fmt::format("column 't' is {} as on line {}, expected rising stamps. Leave out one of the "
+                    "two lines, or print t with more digits.",
+                    t,
+                    line_of_last_stamp_));
+  }
+  Fail(
+      fmt::format("column 't' goes back from {} to {}, expected rising stamps. Sort the lines, or "
+                  "begin anew, with another --state, where the clock was reset.",
+                  *last_stamp_,
+                  t));
 }
 
 bool SampleLines::IsPassedOver(const SampleLine& sample) {
@@ -128,24 +194,28 @@ bool SampleLines::IsPassedOver(const SampleLine& sample) {
 
 std::optional<SampleLine> SampleLines::Next() {
   while (ReadLine()) {
-    if (text_.ends_with('\r')) {
-      Fail(
-          "the line ends in a carriage return, expected a line feed only. Send the stream through "
-          "tr -d '\\r'.");
-    }
+    RefuseWhatIsNoPlainText();
     if (text_.empty() || text_.starts_with('#')) continue;
     SplitSampleLine(text_, &cells_);
+    RefuseOtherSeparators();
     if (!std::exchange(has_first_line_, true) && std::ranges::none_of(cells_, IsNumberCell)) {
       TakeNames();
       continue;
     }
     if (cells_.size() != num_cells_) {
-      Fail(fmt::format("the line has {} cells, expected {}.", cells_.size(), num_cells_));
+      const std::string expected = line_of_names_ > 0
+                                       ? fmt::format("{} as on line {}", num_cells_, line_of_names_)
+                                       : fmt::format("{}: t,tau,v", num_cells_);
+      Fail(fmt::format("the line has {}, {}, expected {}.",
+                       Plural(cells_.size(), "cell"),
+                       Quoted(text_),
+                       expected));
     }
     const SampleLine sample = {NumberIn(0), NumberIn(1), NumberIn(2)};
     RequireRising(sample.t);
     const bool is_passed_over = IsPassedOver(sample);
     last_stamp_ = sample.t;
+    line_of_last_stamp_ = line_;
     if (!is_passed_over) return sample;
   }
   return std::nullopt;

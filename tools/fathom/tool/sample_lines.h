@@ -35,9 +35,10 @@ class SampleLines {
   void GoOnBehind(const SampleLine& last, const std::string& from);
 
   // The next sample; nothing at the end of the stream. Waits for a line. Throws InputError, with
-  // line, column, what was found and what was expected, for a cell that is no finite number, a
-  // line with another number of cells, names without t, tau and v, stamps that do not rise, a
-  // carriage return, a line of over 4095 bytes and a stream that cannot be read.
+  // line, column, what was found, what was expected and what to do, for a cell that is no finite
+  // number, a line with another number of cells or other separators, names without t, tau and v or
+  // with units, stamps that do not rise, a carriage return or other bytes that are no plain text, a
+  // line of over 4095 bytes and a stream that cannot be read.
   std::optional<SampleLine> Next();
 
   // How many samples were passed over.
@@ -48,6 +49,9 @@ class SampleLines {
 
  private:
   bool ReadLine();  // into text_; false at the end
+  void RefuseWhatIsNoPlainText() const;
+  void RefuseOtherSeparators() const;
+  void RefuseUnits() const;
   void TakeNames();
   double NumberIn(std::size_t role) const;
   void RequireRising(double t) const;
@@ -62,9 +66,11 @@ class SampleLines {
   std::vector<std::string_view> cells_;  // of text_
   bool has_first_line_ = false;
   std::size_t num_cells_ = 3;
+  long line_of_names_ = 0;                         // 0: none
   std::array<std::size_t, 3> column_ = {0, 1, 2};  // of t, tau and v
   std::vector<std::string> not_read_;
   std::optional<double> last_stamp_;
+  long line_of_last_stamp_ = 0;
   std::optional<SampleLine> behind_;
   std::string behind_from_;
   bool holds_behind_ = false;

@@ -113,6 +113,24 @@ std::vector<fs::directory_entry> EntriesOf(const fs::path& folder, std::error_co
   return entries;
 }
 
+// Of a folder without a log.yaml.
+void NoteIfNearlyLog(const fs::path& folder,
+                     const std::vector<fs::directory_entry>& entries,
+                     Walk* walk) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : entries) {
+    std::error_code ignored;
+    if (!entry.is_regular_file(ignored)) continue;
+    if (IsLeftOut(walk->PathOf(entry.path()).string(), walk->settings)) continue;
+    names.push_back(PathText(entry.path().filename()));
+  }
+  auto why = WhyFolderIsNearlyLog(names);
+  if (!why) return;
+  const fs::path path = walk->PathOf(folder);
+  walk->found.nearly_logs.push_back(
+      {path.empty() ? std::string(".") : PathText(path), *std::move(why)});
+}
+
 void WalkFolder(const fs::path& folder, Walk* walk) {
   if (!walk->seen.insert(IdentityOf(folder)).second) {
     ++walk->found.other_files["link to a folder seen already"];
@@ -130,6 +148,7 @@ void WalkFolder(const fs::path& folder, Walk* walk) {
   });
   std::set<std::string> of_log;
   bool has_images = false;
+  if (!is_log) NoteIfNearlyLog(folder, entries, walk);
   if (is_log) {
     const fs::path path = walk->PathOf(folder);
     walk->found.logs.push_back({.place = folder, .path = path.empty() ? "." : path});
@@ -160,8 +179,12 @@ void WalkFolder(const fs::path& folder, Walk* walk) {
     }
     if (!is_log && entry.is_regular_file(ignored) && IsCsvLog(entry.path())) {
       walk->found.logs.push_back({.place = entry.path(), .path = path});
-    } else {
-      ++walk->found.other_files[KindOf(entry)];
+      continue;
+    }
+    ++walk->found.other_files[KindOf(entry)];
+    if (is_log || !entry.is_regular_file(ignored)) continue;
+    if (auto why = WhyFileIsNearlyLog(entry.path())) {
+      walk->found.nearly_logs.push_back({PathText(path), *std::move(why)});
     }
   }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/archive/dives/archive_settings.h"
+#include "fathom/archive/dives/nearly_log.h"
 
 #include <filesystem>
 #include <map>
@@ -36,6 +37,7 @@ struct FoundArchive {
   // Everything else, counted: by the ending of the name (".bin"), or "pipe", "device", "socket",
   // "broken link", "link to a folder seen already", "left out".
   std::map<std::string, int> other_files;
+  std::vector<NearlyLog> nearly_logs = {};  // folders, and files of those above
 };
 
 // Looks through a folder and all below it, links too; each folder once, so that links in a circle

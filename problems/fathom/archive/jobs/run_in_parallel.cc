@@ -25,7 +25,7 @@ struct Queue {
 };
 
 // Runs jobs until none waits and none runs that others may follow from.
-void Work(Queue* queue) {
+void WorkThrough(Queue* queue) {
   std::unique_lock lock(queue->mutex);
   while (true) {
     queue->changed.wait(lock, [&] { return !queue->waiting.empty() || queue->num_running == 0; });
@@ -62,7 +62,7 @@ void RunInParallel(int at_a_time, std::vector<Job> jobs) {
   Queue queue;
   std::ranges::move(jobs, std::back_inserter(queue.waiting));
   std::vector<std::thread> threads;
-  for (int i = 0; i < std::max(at_a_time, 1); ++i) threads.emplace_back(Work, &queue);
+  for (int i = 0; i < std::max(at_a_time, 1); ++i) threads.emplace_back(WorkThrough, &queue);
   for (std::thread& thread : threads) thread.join();
   if (queue.failure) std::rethrow_exception(queue.failure);
 }

@@ -3,9 +3,11 @@
 
 #include "fathom/archive/report/archive_sentences.h"
 
+#include "fathom/archive/dives/named_few.h"
 #include "fathom/archive/report/dives_apart.h"
 #include "fathom/archive/report/log_states.h"
 #include "fathom/archive/store/compared_dofs.h"
+#include "fathom/base/dof.h"
 #include "fathom/base/plural.h"
 
 #include <algorithm>
@@ -192,6 +194,41 @@ std::vector<std::string> ChangeSentences(const Tables& tables) {
     sentences.push_back(std::move(poor));
   }
   return sentences;
+}
+
+std::string DivesWithoutFitSentence(const Tables& tables) {
+  std::set<std::string> dives, with_model, with_fit;
+  std::map<std::string, const DiveFitRow*> first_refused;
+  for (const LogRow& log : tables.logs) {
+    dives.insert(log.dive);
+    if (GivesModel(log.status)) with_model.insert(log.dive);
+  }
+  for (const DiveFitRow& row : tables.dive_fits) {
+    dives.insert(row.dive);
+    if (row.usable) {
+      with_fit.insert(row.dive);
+    } else if (!row.message.empty()) {
+      first_refused.emplace(row.dive, &row);
+    }
+  }
+  dives.erase("");
+  std::vector<std::string> without;
+  for (const std::string& dive : dives) {
+    if (with_fit.contains(dive)) continue;
+    const auto refused = first_refused.find(dive);
+    std::string why = "no fit was made";
+    if (refused != first_refused.end()) {
+      why = fmt::format("{}: {}", refused->second->dof, refused->second->message);
+      if (why.ends_with('.')) why.pop_back();
+    } else if (!with_model.contains(dive)) {
+      why = "no log of it gave a model";
+    }
+    without.push_back(fmt::format("{} ({})", dive, why));
+  }
+  if (without.empty()) return "";
+  return fmt::format("Of {} no DOF has a usable joint fit: {}.",
+                     Plural(without.size(), "dive"),
+                     NamedFew(without));
 }
 
 std::string LeftOutSentence(const Tables& tables) {

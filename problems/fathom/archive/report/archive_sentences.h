@@ -16,6 +16,11 @@ namespace fathom {
 // poor, that changes can hide behind that. At least one sentence.
 std::vector<std::string> ChangeSentences(const Tables& tables);
 
+// The dives of whose DOFs none has a usable joint fit, the first three by name with the reason: "Of
+// 2 dives no DOF has a usable joint fit: dive_3 (surge: ...) and dive_7 (no log of it gave a
+// model)." Empty if there is none.
+std::string DivesWithoutFitSentence(const Tables& tables);
+
 // "12 coupled models: 10 consistent, 2 explained. They name thrust_gain.port (2 logs).", and
 // whether the changes are those of coupled models. Empty if there is none.
 std::string CoupledSentence(const Tables& tables);

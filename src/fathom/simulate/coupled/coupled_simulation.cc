@@ -20,8 +20,6 @@
 namespace fathom {
 namespace {
 
-constexpr double kLongestCoupledStep = 0.05;  // [s]
-constexpr double kMostRateTimesCoupledStep = 0.25;
 constexpr double kSmallestCoupledStep = 5e-4;  // [s]; a vehicle so quick is a trial gone astray
 
 // The weights of the cubic through both ends of a step: of the values and of the slopes.
@@ -64,11 +62,13 @@ class CoupledRun {
   CoupledRun(const CoupledModel& model,
              std::span<const FreeEntry> entries,
              const CoupledInputs& inputs,
-             bool with_tangent)
+             bool with_tangent,
+             const CoupledSteps& steps = {})
       : model_(model),
         entries_(entries),
         inputs_(inputs),
         with_tangent_(with_tangent),
+        steps_(steps),
         drive_(model, entries, inputs.command),
         rate_(model, entries, inputs.command, inputs.log),
         water_(model, entries, inputs),
@@ -107,7 +107,7 @@ class CoupledRun {
         rate = rate_.Quickest(state_, rate_.ForceJacobian(state_.nu, drive));
       }
       if (!std::isfinite(rate)) return false;
-      double longest = std::min(kLongestCoupledStep, kMostRateTimesCoupledStep / rate);
+      double longest = std::min(steps_.longest, steps_.share_of_time_constant / rate);
       if (longest < kSmallestCoupledStep) return false;
       longest = std::min(longest, drive_.LongestStep());
       // Equal steps to the next change.
@@ -346,6 +346,7 @@ class CoupledRun {
   std::span<const FreeEntry> entries_;
   const CoupledInputs& inputs_;
   const bool with_tangent_;
+  const CoupledSteps steps_;
   CommandedDrive drive_;
   CoupledRate rate_;
   const WaterFrame water_;
@@ -378,8 +379,9 @@ bool RunCoupled(const CoupledModel& model,
                 const CoupledInputs& inputs,
                 const CoupledState& start,
                 const CoupledStamps& stamps,
-                CoupledOutputs* outputs) {
-  return CoupledRun(model, {}, inputs, false).Over(start, stamps, outputs);
+                CoupledOutputs* outputs,
+                const CoupledSteps& steps) {
+  return CoupledRun(model, {}, inputs, false, steps).Over(start, stamps, outputs);
 }
 
 bool RunCoupledWithSensitivities(const CoupledModel& model,

@@ -47,9 +47,15 @@ struct CoupledOutputs {
 // Columns of the sensitivities.
 int NumCoupledColumns(const CoupledModel& model, std::span<const FreeEntry> entries);
 
+// How long the steps of a run may be. A state that stays is exact in steps of any length.
+struct CoupledSteps {
+  double longest = 0.05;                 // [s]
+  double share_of_time_constant = 0.25;  // of the quickest, at most
+};
+
 // Runs docs/coupled.md (1) from a state over a command, by the classical Runge-Kutta scheme in
-// steps of at most 0.05 s and a quarter of the quickest time constant, none across a change of the
-// command. Outputs lie on the cubic through both ends of their step.
+// steps within these limits, none across a change of the command. Outputs lie on the cubic through
+// both ends of their step.
 //
 // Returns false if the inertia of the modelled DOFs is not positive definite, or if the state
 // leaves the finite numbers; the outputs then mean nothing.
@@ -57,7 +63,8 @@ bool RunCoupled(const CoupledModel& model,
                 const CoupledInputs& inputs,
                 const CoupledState& start,
                 const CoupledStamps& stamps,
-                CoupledOutputs* outputs);
+                CoupledOutputs* outputs,
+                const CoupledSteps& steps = {});
 
 // The same, with the sensitivities by the variational equation, docs/coupled.md (5). Every entry is
 // one of modelled DOFs.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace fathom {
@@ -16,6 +17,10 @@ namespace {
 
 constexpr double kSettleSteps = 100.0;  // over which a steady yaw rate stays
 constexpr double kHeldShare = 1.0 / 3.0;
+constexpr int kStepsAtOnce = 20;          // of the track, while the rudder stands
+constexpr double kStandingRudder = 1e-6;  // from where it ends [rad]
+// Then nothing changes but the motion itself, and steady turns alone count: longer steps will do.
+constexpr double kStepsOfTrack = 5.0, kShareOfTimeConstant = 0.5;
 
 // What drives the vehicle throughout.
 CoupledInputs InputsOf(const CoupledModel& model,
@@ -101,9 +106,11 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
       manoeuvre, options.rudder_delay, kSettleSteps * options.step, kHeldShare * options.longest);
   const bool is_held = !HeldOrders(manoeuvre).empty();
   double angle = 0.0, turned = 0.0, heading = 0.0;  // of the gear, and of the rudder behind it
-  CoupledStamps stamps;
-  stamps.pose = {options.step};
+  CoupledStamps one_step, while_it_stands;
+  one_step.pose = {options.step};
+  for (int k = 1; k <= kStepsAtOnce; ++k) while_it_stands.pose.push_back(options.step * k);
   CoupledOutputs outputs;
+  std::size_t next = 0;  // of outputs.pose: the states that come if the rudder stands
   for (int k = 0;; ++k) {
     const double t = options.step * k;
     track.time.push_back(t);
@@ -112,7 +119,10 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
     track.state.push_back(state);
     helmsman.See({t, state.nu[0], heading, state.nu[5]});
     if (helmsman.IsDone() || (!is_held && t >= options.longest)) break;
-    if (!is_stop) {
+    const bool stands =
+        is_held && angle == helmsman.Order() && std::abs(turned - angle) <= kStandingRudder;
+    if (!stands) next = outputs.pose.size();
+    if (!is_stop && !stands) {
       const double wait = std::clamp(helmsman.NextTime() - t, 0.0, options.step);
       const bool turns_within = helmsman.NextTime() < t + options.step;
       GearStep gear = TurnRudder(angle,
@@ -129,8 +139,16 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
       turned = rudder_lag > 0.0 ? lagged.At(options.step, rudder_lag) : gear.end;
       angle = gear.end;
     }
-    if (!RunCoupled(driven, inputs, state, stamps, &outputs)) return std::nullopt;
-    state = outputs.pose.front();
+    if (next == outputs.pose.size()) {
+      if (stands) inputs.command.fins[*rudder].angle = {to_starboard * angle};
+      const CoupledStamps& stamps = stands ? while_it_stands : one_step;
+      const CoupledSteps steps =
+          stands ? CoupledSteps{kStepsOfTrack * options.step, kShareOfTimeConstant}
+                 : CoupledSteps();
+      if (!RunCoupled(driven, inputs, state, stamps, &outputs, steps)) return std::nullopt;
+      next = 0;
+    }
+    state = outputs.pose[next++];
     heading = UnwrappedHeading(state, heading);
   }
   track.steady = helmsman.steady();

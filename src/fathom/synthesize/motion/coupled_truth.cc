@@ -100,6 +100,24 @@ std::vector<double> ValuesOf(const std::vector<ActuatorDrive>& drives,
   return values;
 }
 
+// Refuses angles that the vehicle's fin does not reach.
+void RequireReachable(const Experiment& experiment,
+                      const Vehicle& vehicle,
+                      const Fin& fin,
+                      const std::vector<double>& angles) {
+  if (!fin.largest_angle) return;
+  const double farthest =
+      *std::ranges::max_element(angles, {}, [](double angle) { return std::abs(angle); });
+  if (std::abs(farthest) <= *fin.largest_angle) return;
+  RefuseDrive(experiment,
+              fmt::format("turns the fin '{}' to {:.4g} rad, expected at most {:.4g} rad to either "
+                          "side, its `largest_angle` in the file of vehicle '{}'.",
+                          fin.name,
+                          farthest,
+                          *fin.largest_angle,
+                          vehicle.name));
+}
+
 // Of an angle that turns on and on: the one nearest to the last.
 double Unwrapped(double angle, double last) {
   const double turn = 2.0 * std::numbers::pi;
@@ -258,6 +276,7 @@ CoupledTruth DriveCoupled(const Vehicle& vehicle,
          ValuesOf(experiment.fins, fin.name, "fin", 0.0, command.time, experiment.duration, seed),
          fin.behind,
          FinForceOf(fin)});
+    RequireReachable(experiment, vehicle, fin, command.fins.back().angle);
   }
   for (const Shaft& shaft : vehicle.shafts) {
     command.shafts.push_back(CommandedShaftOf(shaft));

@@ -52,6 +52,22 @@ TEST(WalkArchive, FindsFoldersWithALogYamlAndCsvLogs) {
   EXPECT_TRUE(found.unreadable.empty());
 }
 
+TEST(WalkArchive, TellsWhatIsNearlyALog) {
+  const fs::path archive = EmptyTestFolder();
+  Write(archive / "a" / "y.csv", "t,tau,w\n");
+  Write(archive / "b" / "command.csv", "t,tau_surge\n");
+  Write(archive / "b" / "velocity.csv", "t,u\n");
+  Write(archive / "c" / "log.yaml");
+  Write(archive / "c" / "command.csv", "t,tau,w\n");
+  Write(archive / "d" / "y.csv", "t,tau,w\n");
+  const FoundArchive found = WalkArchive(archive, {.leave_out = {"d"}});
+  std::vector<std::string> nearly;
+  for (const NearlyLog& one : found.nearly_logs) nearly.push_back(one.path + ": " + one.why);
+  EXPECT_THAT(nearly,
+              ElementsAre("a/y.csv: its first line does not name t, tau and v",
+                          "b: holds command.csv, velocity.csv and no log.yaml"));
+}
+
 TEST(WalkArchive, FindsTheArchiveItselfAndLogsInLogs) {
   const fs::path archive = EmptyTestFolder();
   Write(archive / "log.yaml");

@@ -97,6 +97,11 @@ TEST_F(ArchiveInBrowser, FitsAPhone) {
   EXPECT_EQ(findings["charts_drawn"], "12");
 }
 
+// From 901 px on the dives are a table, not cards. Its last column was cut.
+TEST_F(ArchiveInBrowser, ShowsEveryColumnOfTheDives) {
+  for (const int width : {901, 1000, 1100, 1250}) Findings(ExampleArchive(), {.width = width});
+}
+
 TEST_F(ArchiveInBrowser, FitsAPhoneWithNamesThatKnowNoEnd) {
   ArchiveReport report = ExampleArchive({20, 2});
   const std::string name(120, 'x');

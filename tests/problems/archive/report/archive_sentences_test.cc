@@ -184,6 +184,31 @@ TEST(ChangeSentences, TellsManyVehiclesOfFewDivesTogether) {
                           "a usable joint fit."));
 }
 
+TEST(DivesWithoutFitSentence, NamesAFewWithTheReason) {
+  Tables tables;
+  for (const char* dive : {"dive 1", "dive 2", "dive 3", "dive 4", "dive 5"}) {
+    LogRow& log = tables.logs.emplace_back();
+    log.dive = dive;
+    log.path = log.dive + "/run";
+    log.status = log.dive == "dive 3" ? "refused" : "ok";
+  }
+  const auto add_fit = [&](const std::string& dive, bool usable, const std::string& message) {
+    DiveFitRow& row = tables.dive_fits.emplace_back();
+    row.dive = dive;
+    row.dof = "surge";
+    row.usable = usable;
+    row.message = message;
+  };
+  add_fit("dive 1", true, "");
+  add_fit("dive 2", false, "The logs disagree.");
+  add_fit("dive 4", false, "");
+  EXPECT_EQ(DivesWithoutFitSentence(tables),
+            "Of 4 dives no DOF has a usable joint fit: dive 2 (surge: The logs disagree), dive 3 "
+            "(no log of it gave a model), dive 4 (no fit was made) and 1 more.");
+  for (const char* dive : {"dive 2", "dive 3", "dive 4", "dive 5"}) add_fit(dive, true, "");
+  EXPECT_EQ(DivesWithoutFitSentence(tables), "");
+}
+
 TEST(LogsSentence, CountsEveryState) {
   EXPECT_EQ(LogsSentence(WithStates(StatesInOrder())),
             "11 logs in 1 dive: 2 gave a model (1 ok, 1 partial), 9 did not (1 nothing to "

@@ -93,6 +93,20 @@ TEST(RunCoupled, ShowsTheSameAtAnyStamps) {
   }
 }
 
+// A step is at most a quarter of the quickest time constant: the scheme's error is then some 1e-5
+// of what changes.
+TEST(RunCoupled, GoesTheSameInTheLongestStepsThatTheModelAllows) {
+  CoupledStamps stamps;
+  for (int k = 1; k <= 40; ++k) stamps.velocity.push_back(0.25 * k);
+  CoupledOutputs of_short, of_long;
+  ASSERT_TRUE(RunCoupled(Rov(), Steps(5), Moving(), stamps, &of_short));
+  ASSERT_TRUE(RunCoupled(Rov(), Steps(5), Moving(), stamps, &of_long, {.longest = 10.0}));
+  EXPECT_LT(of_long.num_steps, of_short.num_steps);
+  for (std::size_t k = 0; k < stamps.velocity.size(); ++k) {
+    EXPECT_LT((of_long.velocity[k] - of_short.velocity[k]).norm(), 1e-4);
+  }
+}
+
 // Without water, weight and thrust the momentum stays what it is in the world.
 TEST(RunCoupled, KeepsTheMomentumOfABodyThatNothingTouches) {
   CoupledModel model;

@@ -259,7 +259,8 @@ TEST(RunManoeuvre, GivesTheSameFiguresToPort) {
 // Of Nomoto's equation the yaw rate is K angle on both ways: no loop, nothing left at midships.
 TEST(RunManoeuvre, GoesThroughASpiralWithoutALoop) {
   const Manoeuvre spiral = ParseManoeuvre("spiral:6");
-  const auto track = RunManoeuvre(YawOnly(), OneRudder(), spiral, {});
+  // One degree takes nearly all of a step, whose mean is far from where the rudder then stands.
+  const auto track = RunManoeuvre(YawOnly(), OneRudder(), spiral, {.rudder_rate = 0.18});
   ASSERT_TRUE(track);
   const double K = kForce * -kAft / (kDamping + kForce * kAft * kAft);
   ASSERT_EQ(track->steady.size(), 25u);  // 6, 5, ... -6 and back
@@ -295,6 +296,34 @@ TEST(RunManoeuvre, FindsTheLoopOfAnUnstableVehicle) {
   const double left = a / b * 180.0 / std::numbers::pi;
   EXPECT_NEAR(Figure(figures, "rate_after_starboard"), left, 0.02 * left);
   EXPECT_NEAR(Figure(figures, "rate_after_port"), -left, 0.02 * left);
+}
+
+// While the rudder stands a spiral runs many samples at once, in longer steps. It is what a run
+// from sample to sample is: `angle` is that at a sample, held since the one before.
+TEST(RunManoeuvre, GoesThroughASpiralAsItWouldSampleBySample) {
+  const CoupledModel model = Unstable(60.0, 3000.0);
+  const auto track = RunManoeuvre(model, OneRudder(), ParseManoeuvre("spiral:8"), {});
+  ASSERT_TRUE(track);
+  CoupledInputs inputs;
+  inputs.command.fins = OneRudder();
+  inputs.measured[0] = {{0.0}, {1.0}};
+  CoupledStamps stamps;
+  for (std::size_t k = 0; k + 1 < track->time.size(); ++k) {
+    inputs.command.time.push_back(track->time[k]);
+    inputs.command.fins[0].angle.push_back(track->angle[k + 1]);
+    stamps.velocity.push_back(track->time[k + 1]);
+  }
+  CoupledOutputs outputs;
+  ASSERT_TRUE(RunCoupled(model, inputs, track->state.front(), stamps, &outputs));
+  double largest = 0.0, farthest = 0.0;
+  for (std::size_t k = 0; k < outputs.velocity.size(); ++k) {
+    largest = std::max(largest, std::abs(outputs.velocity[k][5]));
+    farthest = std::max(farthest, std::abs(outputs.velocity[k][5] - track->state[k + 1].nu[5]));
+  }
+  // What leaves a turn that is not stable grows, and so does the scheme's error of some 1e-5.
+  // Steady is what changes by less than 1e-3.
+  EXPECT_GT(largest, 0.01);
+  EXPECT_LT(farthest, 3e-4 * largest);
 }
 
 TEST(RunManoeuvre, PullsOutOfATurn) {

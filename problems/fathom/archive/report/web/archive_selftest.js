@@ -3,8 +3,8 @@ const testYourself = (readAfter, drawnAfter) => {
   const root = document.documentElement;
   const findings = {read_ms: readAfter.toFixed(1), drawn_ms: drawnAfter.toFixed(1), width: root.clientWidth};
   const all = (selector) => [...document.querySelectorAll(selector)];
-  // Pixels by which something sticks out of the page.
-  const overflow = () => Math.max(root.scrollWidth - root.clientWidth, 0);
+  // Pixels by which something sticks out of the page, or the table of dives out of its box.
+  const overflow = () => Math.max(0, ...[root, ...all("#dive-table .table")].map((box) => box.scrollWidth - box.clientWidth));
   const firstDive = () => document.querySelector(".dive-row .opener")?.textContent ?? "";
   try {
     findings.overflow = overflow();
