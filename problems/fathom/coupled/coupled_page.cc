@@ -50,6 +50,7 @@ PageSection LadderSection(const Ladder& ladder, const std::vector<Dof>& dofs) {
   section.text = {
       "A structure stands if its runs over data that were not fitted are nearer than those of the "
       "one before, by more than 1.65 standard errors."};
+  if (!ladder.not_asked_for.empty()) section.text.push_back(NotFittedSentence(ladder));
   section.tables.push_back(LadderTable(ladder, dofs));
   return section;
 }

@@ -135,6 +135,12 @@ Table LadderTable(const Ladder& ladder, const std::vector<Dof>& dofs) {
   return table;
 }
 
+std::string NotFittedSentence(const Ladder& ladder) {
+  if (ladder.not_asked_for.empty()) return "";
+  return fmt::format("Not fitted, since nothing asks for their numbers: {}.",
+                     fmt::join(ladder.not_asked_for, ", "));
+}
+
 std::string LadderSentence(const Ladder& ladder) {
   const LadderRung& accepted = ladder.rungs[ladder.accepted];
   std::string text = fmt::format("Structure: {}.", accepted.name);
@@ -142,10 +148,13 @@ std::string LadderSentence(const Ladder& ladder) {
     return rung.name == "coriolis" && rung.is_accepted;
   });
   if (has_won) text += " The Coriolis forces C(nu) are in the data.";
-  if (ladder.named.empty()) return text + " The data show no number beyond it.\n";
   std::vector<std::string> names;
   for (const NamedEntry& named : ladder.named) names.push_back(Named(named));
-  return text + fmt::format(" The data show {}.\n", fmt::join(names, "; "));
+  text += names.empty() ? " The data show no number beyond it."
+                        : fmt::format(" The data show {}.", fmt::join(names, "; "));
+  const std::string not_fitted = NotFittedSentence(ladder);
+  if (!not_fitted.empty()) text += " " + not_fitted;
+  return text + "\n";
 }
 
 std::string FormatCoupledIdentification(const CoupledIdentification& identified) {

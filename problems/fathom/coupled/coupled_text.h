@@ -23,6 +23,9 @@ Table CoupledFigureTable(const FittedCoupledModel& fitted);
 // What was tried, a row for each rung; errors are of data that were not fitted.
 Table LadderTable(const Ladder& ladder, const std::vector<Dof>& dofs);
 
+// The structures that were not fitted, and why; empty of none.
+std::string NotFittedSentence(const Ladder& ladder);
+
 // What the data show beyond a diagonal model, in a sentence or several.
 std::string LadderSentence(const Ladder& ladder);
 

@@ -4,6 +4,7 @@
 #include "fathom/coupled/entry_test.h"
 
 #include "fathom/coupled/window_scores.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <numeric>
 
 #include <Eigen/Dense>
+#include <unsupported/Eigen/SpecialFunctions>
 
 namespace fathom {
 namespace {
@@ -67,6 +69,30 @@ std::vector<EntryTest> TestEntries(std::span<const CoupledData> logs,
     }
   }
   return tests;
+}
+
+double JointPValue(std::span<const EntryTest> tests) {
+  constexpr double kImitated = 1e-6;  // of a direction that the others hold already
+  const auto num = static_cast<Eigen::Index>(tests.size());
+  if (num == 0) return 1.0;
+  Eigen::VectorXd z(num);
+  Eigen::MatrixXd likeness(num, num);
+  for (Eigen::Index k = 0; k < num; ++k) {
+    const EntryTest& test = tests[static_cast<std::size_t>(k)];
+    z[k] = test.z;
+    likeness.row(k) = Eigen::RowVectorXd::Map(test.likeness.data(), num);
+  }
+  const SymmetricEigen eigen = EigenOf(likeness);
+  double chi_squared = 0.0;
+  int num_directions = 0;
+  for (Eigen::Index k = 0; k < num; ++k) {
+    if (!(eigen.values[k] > kImitated)) continue;
+    const double along = eigen.vectors.col(k).dot(z);
+    chi_squared += along * along / eigen.values[k];
+    ++num_directions;
+  }
+  if (num_directions == 0) return 1.0;
+  return Eigen::numext::igammac(0.5 * num_directions, 0.5 * chi_squared);
 }
 
 }  // namespace fathom

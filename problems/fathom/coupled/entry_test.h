@@ -30,4 +30,8 @@ std::vector<EntryTest> TestEntries(std::span<const CoupledData> logs,
                                    const std::vector<FreeEntry>& candidates,
                                    const CoupledFitOptions& options);
 
+// How likely all candidates together stand out as they do where none of them is in the data:
+// chi-squared, with their likeness. Of the tests of all candidates; 1 of none.
+double JointPValue(std::span<const EntryTest> tests);
+
 }  // namespace fathom

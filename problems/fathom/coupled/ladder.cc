@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/ladder.h"
 
+#include "fathom/coupled/entry_test.h"
 #include "fathom/coupled/momentum_start.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kLeastErrors = 1.65;  // standard errors that a rung must win by
 constexpr double kLeastShare = 1e-3;   // by which it must bring free runs nearer: less is rounding
+constexpr double kAskedFor = 0.05;     // p-value of the numbers of a structure
 constexpr double kMuchNearer = 20.0;   // -2 log likelihood of (6)
 
 // How late commands may act [s].
@@ -92,6 +94,21 @@ class Climb {
   std::vector<UnseenErrors> errors_;  // by rung
   UnseenErrors stands_;
 };
+
+// Whether the data ask for the numbers that a structure has beyond that of a fit, all together.
+// Others bring unseen runs nearer by chance alone.
+bool AreAskedFor(const CoupledLogs& logs,
+                 const MotionStructure& structure,
+                 const LadderRung& standing,
+                 const CoupledFitOptions& options) {
+  if (standing.fit.starts.empty()) return true;  // fitted block by block: no test is of all
+  std::vector<FreeEntry> more = structure.entries;
+  std::erase_if(more, [&](const FreeEntry& entry) {
+    return std::ranges::count(standing.structure.entries, entry) > 0;
+  });
+  const std::vector<EntryTest> tests = TestEntries(logs.data, standing.fit, more, options);
+  return tests.empty() || JointPValue(tests) < kAskedFor;
+}
 
 // Whether (6) is linear near a value of it only, so that some are tried.
 bool IsTried(const FreeEntry& entry) { return IsLateness(entry) || IsLimit(entry); }
@@ -261,6 +278,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
       named = search.named;
     }
   }
+  std::vector<std::string> not_asked_for;
   for (const auto standard :
        {StandardStructure::kSymmetric, StandardStructure::kLopsided, StandardStructure::kFull}) {
     const MotionStructure& stands = climb.standing().structure;
@@ -270,6 +288,8 @@ Ladder ClimbLadder(const CoupledLogs& logs,
     // C(nu) of a diagonal inertia may lose where that of the whole one wins; from its own start.
     if (structure.coriolis != stands.coriolis) {
       climb.Try(std::string(Name(standard)), structure, FitBlocks(logs, structure, options.fit));
+    } else if (!AreAskedFor(logs, structure, climb.standing(), options.fit)) {
+      not_asked_for.emplace_back(Name(standard));
     } else {
       climb.Try(std::string(Name(standard)), structure);
     }
@@ -282,6 +302,7 @@ Ladder ClimbLadder(const CoupledLogs& logs,
   }
   Ladder ladder = climb.Take();
   ladder.named = std::move(named);
+  ladder.not_asked_for = std::move(not_asked_for);
   return ladder;
 }
 

@@ -33,6 +33,9 @@ struct Ladder {
   std::vector<LadderRung> rungs;
   std::size_t accepted = 0;       // index
   std::vector<NamedEntry> named;  // beyond the diagonal model and C(nu)
+
+  // Structures that were not fitted: no test asks for their numbers together.
+  std::vector<std::string> not_asked_for = {};
 };
 
 // Climbs from the diagonal model: C(nu), single entries one after the other as tests ask for them,
