@@ -44,7 +44,6 @@ class PageLayout : public testing::Test {
 
   static void ExpectThatItFits(const std::string& html) {
     for (const PageLook& look : {PageLook{.width = 1400},
-                                 PageLook{.width = 1100},
                                  PageLook{.width = 800},
                                  PageLook{.width = 390},
                                  PageLook{.width = 390, .is_dark = true},
