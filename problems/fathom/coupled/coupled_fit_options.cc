@@ -19,4 +19,11 @@ std::vector<std::string> CoupledFitOptions::Problems() const {
   return problems;
 }
 
+CoupledFitOptions From(const CoupledSummary& fit, CoupledFitOptions options) {
+  options.start = fit.model;
+  options.noise = fit.noise;
+  options.priors = fit.priors;
+  return options;
+}
+
 }  // namespace fathom

@@ -54,4 +54,7 @@ struct CoupledFitOptions {
   std::vector<std::string> Problems() const;
 };
 
+// The same from where another fit has ended: its model, noise and priors.
+CoupledFitOptions From(const CoupledSummary& fit, CoupledFitOptions options);
+
 }  // namespace fathom

@@ -96,13 +96,11 @@ std::vector<FreeEntry> CandidatesBeyond(std::span<const CoupledData> logs,
 CoupledSummary FitWith(std::span<const CoupledData> logs,
                        const EntrySearch& search,
                        const EntryTest& test,
-                       CoupledFitOptions options) {
+                       const CoupledFitOptions& with) {
   MotionStructure longer = search.structure;
   longer.entries.push_back(test.entry);
-  options.start = search.fit.model;
+  CoupledFitOptions options = From(search.fit, with);
   SetValue(test.entry, ValueIn(search.fit.model, test.entry) + test.value, &*options.start);
-  options.noise = search.fit.noise;
-  options.priors = search.fit.priors;
   return FitCoupled(logs, longer, options);
 }
 
@@ -178,10 +176,7 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
   banned->push_back(gone);
   search->named.erase(needless);
   std::erase(search->structure.entries, gone);
-  CoupledFitOptions again = options;
-  again.start = search->fit.model;
-  again.noise = search->fit.noise;
-  again.priors = search->fit.priors;
+  CoupledFitOptions again = From(search->fit, options);
   SetValue(gone, WithoutEffect(gone, options.held), &*again.start);
   search->fit = FitCoupled(logs, search->structure, again);
   return search->fit.IsUsable();
@@ -191,10 +186,8 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
 CoupledSummary FitToNoiseOf(std::span<const CoupledData> logs,
                             const MotionStructure& structure,
                             const CoupledSummary& fit,
-                            CoupledFitOptions options) {
-  options.start = fit.model;
-  options.noise = fit.noise;
-  options.priors = fit.priors;
+                            const CoupledFitOptions& with) {
+  CoupledFitOptions options = From(fit, with);
   options.learns_noise = false;
   return FitCoupled(logs, structure, options);
 }

@@ -29,10 +29,8 @@ bool HaveChannelsOf(const std::vector<Fold>& folds, const std::vector<ChannelNoi
 std::vector<std::optional<CoupledModel>> FitOneByOne(const std::vector<Fold>& folds,
                                                      const MotionStructure& structure,
                                                      const CoupledSummary& fit,
-                                                     CoupledFitOptions options) {
-  options.start = fit.model;
-  options.noise = fit.noise;
-  options.priors = fit.priors;
+                                                     const CoupledFitOptions& with) {
+  CoupledFitOptions options = From(fit, with);
   options.learns_noise = false;
   std::vector<std::optional<CoupledModel>> models(folds.size());
   ParallelFor(static_cast<int>(folds.size()), [&](int f) {
