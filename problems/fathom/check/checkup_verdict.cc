@@ -3,6 +3,7 @@
 
 #include "fathom/check/checkup_verdict.h"
 
+#include "fathom/base/listed.h"
 #include "fathom/check/known_parameters.h"
 #include "fathom/findings/explain_first.h"
 #include "fathom/planning/plan_hint.h"
@@ -19,13 +20,6 @@
 
 namespace fathom {
 namespace {
-
-// "surge, sway and yaw"
-std::string Listed(const std::vector<std::string>& names) {
-  if (names.size() < 2) return names.empty() ? "" : names.front();
-  const std::vector<std::string> all_but_last(names.begin(), names.end() - 1);
-  return fmt::format("{} and {}", fmt::join(all_but_last, ", "), names.back());
-}
 
 // Those that nothing drives, and whose damping a free decay tells.
 std::vector<std::string> DecayingDofs(const LogCheckup& checkup) {

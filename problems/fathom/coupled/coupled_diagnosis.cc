@@ -61,14 +61,8 @@ std::optional<std::array<std::vector<FreeRun>, 6>> RunsOfFit(
       return std::nullopt;
     }
     for (const Dof dof : identified.fitted.model.dofs) {
-      FreeRun& run = runs[static_cast<std::size_t>(Index(dof))].emplace_back();
-      for (std::size_t i = begin; i < end; ++i) {
-        const double measured = segment.velocity[i][Index(dof)];
-        if (!std::isfinite(measured)) continue;
-        run.time.push_back(segment.time[i]);
-        run.measured.push_back(measured);
-        run.predicted.push_back(outputs.velocity[i - begin][Index(dof)]);
-      }
+      runs[static_cast<std::size_t>(Index(dof))].push_back(
+          FreeRunAlong(dof, segment, windows[w].samples, outputs.velocity));
     }
   }
   return runs;

@@ -19,7 +19,7 @@ std::vector<std::string> CoupledFitOptions::Problems() const {
   return problems;
 }
 
-CoupledFitOptions From(const CoupledSummary& fit, CoupledFitOptions options) {
+CoupledFitOptions BegunAt(const CoupledSummary& fit, CoupledFitOptions options) {
   options.start = fit.model;
   options.noise = fit.noise;
   options.priors = fit.priors;

@@ -55,6 +55,6 @@ struct CoupledFitOptions {
 };
 
 // The same from where another fit has ended: its model, noise and priors.
-CoupledFitOptions From(const CoupledSummary& fit, CoupledFitOptions options);
+CoupledFitOptions BegunAt(const CoupledSummary& fit, CoupledFitOptions options);
 
 }  // namespace fathom

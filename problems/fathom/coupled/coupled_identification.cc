@@ -312,14 +312,8 @@ std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified)
   for (std::size_t k = 0; k < identified.data.size(); ++k) {
     for (std::size_t s = 0; s < identified.data[k].segments.size(); ++s) {
       const CoupledSegment& segment = identified.data[k].segments[s];
-      FreeRun& run = runs.emplace_back();
-      for (std::size_t i = 0; i < segment.time.size(); ++i) {
-        const double measured = segment.velocity[i][Index(dof)];
-        if (!std::isfinite(measured)) continue;
-        run.time.push_back(segment.time[i]);
-        run.measured.push_back(measured);
-        run.predicted.push_back(identified.prediction.velocity[k][s][i][Index(dof)]);
-      }
+      runs.push_back(FreeRunAlong(
+          dof, segment, {0, segment.time.size()}, identified.prediction.velocity[k][s]));
     }
   }
   return runs;

@@ -99,7 +99,7 @@ CoupledSummary FitWith(std::span<const CoupledData> logs,
                        const CoupledFitOptions& with) {
   MotionStructure longer = search.structure;
   longer.entries.push_back(test.entry);
-  CoupledFitOptions options = From(search.fit, with);
+  CoupledFitOptions options = BegunAt(search.fit, with);
   SetValue(test.entry, ValueIn(search.fit.model, test.entry) + test.value, &*options.start);
   return FitCoupled(logs, longer, options);
 }
@@ -176,7 +176,7 @@ bool TakeOutNeedless(std::span<const CoupledData> logs,
   banned->push_back(gone);
   search->named.erase(needless);
   std::erase(search->structure.entries, gone);
-  CoupledFitOptions again = From(search->fit, options);
+  CoupledFitOptions again = BegunAt(search->fit, options);
   SetValue(gone, WithoutEffect(gone, options.held), &*again.start);
   search->fit = FitCoupled(logs, search->structure, again);
   return search->fit.IsUsable();
@@ -187,7 +187,7 @@ CoupledSummary FitToNoiseOf(std::span<const CoupledData> logs,
                             const MotionStructure& structure,
                             const CoupledSummary& fit,
                             const CoupledFitOptions& with) {
-  CoupledFitOptions options = From(fit, with);
+  CoupledFitOptions options = BegunAt(fit, with);
   options.learns_noise = false;
   return FitCoupled(logs, structure, options);
 }

@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/entry_test.h"
 
+#include "fathom/base/chi_square.h"
 #include "fathom/coupled/window_scores.h"
 #include "fathom/solve/decompositions.h"
 
@@ -12,7 +13,6 @@
 #include <numeric>
 
 #include <Eigen/Dense>
-#include <unsupported/Eigen/SpecialFunctions>
 
 namespace fathom {
 namespace {
@@ -91,8 +91,7 @@ double JointPValue(std::span<const EntryTest> tests) {
     chi_squared += along * along / eigen.values[k];
     ++num_directions;
   }
-  if (num_directions == 0) return 1.0;
-  return Eigen::numext::igammac(0.5 * num_directions, 0.5 * chi_squared);
+  return ChiSquareTail(chi_squared, num_directions);
 }
 
 }  // namespace fathom

@@ -30,7 +30,7 @@ std::vector<std::optional<CoupledModel>> FitOneByOne(const std::vector<Fold>& fo
                                                      const MotionStructure& structure,
                                                      const CoupledSummary& fit,
                                                      const CoupledFitOptions& with) {
-  CoupledFitOptions options = From(fit, with);
+  CoupledFitOptions options = BegunAt(fit, with);
   options.learns_noise = false;
   std::vector<std::optional<CoupledModel>> models(folds.size());
   ParallelFor(static_cast<int>(folds.size()), [&](int f) {

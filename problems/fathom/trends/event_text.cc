@@ -3,6 +3,7 @@
 
 #include "fathom/trends/event_text.h"
 
+#include "fathom/base/listed.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 
@@ -26,15 +27,6 @@ std::string WithDeviation(const Number& number, const std::string& between) {
   const int decimals = DecimalsFor(number.std);
   return RoundedAt(std::abs(number.value), decimals) + between + " (± " +
          RoundedAt(number.std, decimals) + ")";
-}
-
-std::string Listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
-    text += items[i];
-  }
-  return text;
 }
 
 // "inertia in surge", "thrust gain of port", "inertia that couples sway and yaw".

@@ -4,6 +4,7 @@
 #include "fathom/tool/sample_lines.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/not_finite.h"
 #include "fathom/base/number.h"
 #include "fathom/base/plural.h"
 #include "fathom/base/quoted.h"
@@ -28,13 +29,6 @@ void SplitSampleLine(std::string_view line, std::vector<std::string_view>* cells
     cells->push_back(Trimmed(line.substr(begin, end - begin)));
     begin = end + 1;
   }
-}
-
-bool MeansNoFiniteNumber(std::string_view cell) {
-  std::string lower;
-  for (const char c : cell) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
-  return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
 bool IsNumberCell(std::string_view cell) { return ParseFiniteNumber(cell).has_value(); }

@@ -3,11 +3,12 @@
 
 #include "fathom/archive/dives/named_few.h"
 
+#include "fathom/base/listed.h"
+
 #include <algorithm>
 #include <cstddef>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace fathom {
 
@@ -15,10 +16,7 @@ std::string NamedFew(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> parts(names.begin(), names.begin() + std::min(names.size(), kMost));
   if (names.size() > kMost) parts.push_back(fmt::format("{} more", names.size() - kMost));
-  if (parts.size() < 2) return fmt::format("{}", fmt::join(parts, ""));
-  const std::string last = parts.back();
-  parts.pop_back();
-  return fmt::format("{} and {}", fmt::join(parts, ", "), last);
+  return Listed(parts);
 }
 
 }  // namespace fathom

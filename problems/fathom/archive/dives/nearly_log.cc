@@ -63,8 +63,9 @@ std::optional<std::string> WhyFileIsNearlyLog(const std::filesystem::path& file)
 std::string NearlyLogsSentence(const std::vector<NearlyLog>& nearly_logs) {
   if (nearly_logs.empty()) return "";
   std::vector<std::string> each;
-  for (const NearlyLog& one : nearly_logs)
+  for (const NearlyLog& one : nearly_logs) {
     each.push_back(fmt::format("{} ({})", one.path, one.why));
+  }
   return fmt::format("{} nearly {}: {}.",
                      each.size() == 1 ? "1 place is" : Plural(each.size(), "place") + " are",
                      each.size() == 1 ? "a log" : "logs",

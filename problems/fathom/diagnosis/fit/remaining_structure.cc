@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/fit/remaining_structure.h"
 
+#include "fathom/base/chi_square.h"
 #include "fathom/base/parallel_for.h"
 #include "fathom/diagnosis/fit/force_response.h"
 #include "fathom/noise/fit_noise.h"
@@ -18,7 +19,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/SpecialFunctions>
 
 namespace fathom {
 namespace {
@@ -215,7 +215,7 @@ std::vector<RemainingStructure> RemainingOf(
       RemainingStructure& of_kind = remaining[k];
       if (of_kind.num_columns == 0) continue;
       of_kind.gain = std::max(0.0, 2.0 * (log_likelihoods[k] - without));
-      of_kind.p_value = Eigen::numext::igammac(0.5 * of_kind.num_columns, 0.5 * of_kind.gain);
+      of_kind.p_value = ChiSquareTail(of_kind.gain, of_kind.num_columns);
       least = std::min(least, of_kind.p_value);
     }
     return least;

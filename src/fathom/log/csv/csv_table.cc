@@ -5,6 +5,7 @@
 
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/not_finite.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
 #include "fathom/log/csv/csv_rows.h"
@@ -174,13 +175,6 @@ class Header {
   const CsvSpec& spec_;
   std::vector<int> roles_;
 };
-
-bool MeansNoFiniteNumber(std::string_view cell) {
-  std::string lower;
-  for (const char c : cell) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
-  return lower == "nan" || lower == "inf" || lower == "infinity";
-}
 
 double NumberOf(const std::string& name,
                 int line,

@@ -45,17 +45,10 @@ void AddFigures(const CoupledSegment& segment,
                 const std::vector<Vector6>& predicted,
                 Dof dof,
                 DofSums* sums) {
-  std::vector<double> time, measured, simulated;
-  for (std::size_t i = 0; i < segment.time.size(); ++i) {
-    const double value = segment.velocity[i][Index(dof)];
-    if (!std::isfinite(value)) continue;
-    time.push_back(segment.time[i]);
-    measured.push_back(value);
-    simulated.push_back(predicted[i][Index(dof)]);
-  }
-  if (time.empty()) return;
-  sums->all.Add(time, measured, simulated);
-  (segment.is_held_out ? sums->held_out : sums->train).Add(time, measured, simulated);
+  const FreeRun run = FreeRunAlong(dof, segment, {0, segment.time.size()}, predicted);
+  if (run.time.empty()) return;
+  sums->all.Add(run.time, run.measured, run.predicted);
+  (segment.is_held_out ? sums->held_out : sums->train).Add(run.time, run.measured, run.predicted);
 }
 
 // False if a run diverges.
@@ -113,6 +106,21 @@ std::optional<CoupledPrediction> PredictCoupled(const CoupledModel& model,
   }
   if (misses.num > 0) prediction.position_error = std::sqrt(misses.sum_of_squares / misses.num);
   return prediction;
+}
+
+FreeRun FreeRunAlong(Dof dof,
+                     const CoupledSegment& segment,
+                     const SampleWindow& samples,
+                     std::span<const Vector6> predicted) {
+  FreeRun run;
+  for (std::size_t i = samples.begin; i < samples.end; ++i) {
+    const double measured = segment.velocity[i][Index(dof)];
+    if (!std::isfinite(measured)) continue;
+    run.time.push_back(segment.time[i]);
+    run.measured.push_back(measured);
+    run.predicted.push_back(predicted[i - samples.begin][Index(dof)]);
+  }
+  return run;
 }
 
 }  // namespace fathom

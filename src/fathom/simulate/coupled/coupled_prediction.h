@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fathom/simulate/coupled/coupled_data.h"
+#include "fathom/simulate/free_run.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 #include "fathom/vehicle/fitted_model.h"
 
@@ -33,5 +34,12 @@ struct CoupledPrediction {
 std::optional<CoupledPrediction> PredictCoupled(const CoupledModel& model,
                                                 std::span<const CoupledData> logs,
                                                 double horizon);
+
+// Samples of a segment along one DOF, beside what was predicted for them, those without a
+// measurement left out. `predicted`: of these samples.
+FreeRun FreeRunAlong(Dof dof,
+                     const CoupledSegment& segment,
+                     const SampleWindow& samples,
+                     std::span<const Vector6> predicted);
 
 }  // namespace fathom
