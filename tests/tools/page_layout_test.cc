@@ -43,15 +43,17 @@ class PageLayout : public testing::Test {
   }
 
   static void ExpectThatItFits(const std::string& html) {
-    for (const PageLook& look : {PageLook{.width = 1400},
-                                 PageLook{.width = 800},
-                                 PageLook{.width = 390},
-                                 PageLook{.width = 390, .is_dark = true},
-                                 PageLook{.width = kPaperWidth, .is_printed = true}}) {
-      for (const auto& [what, faults] : FaultsOf(html, look)) {
-        EXPECT_EQ(faults, "") << what << " at " << look.width << " px"
-                              << (look.is_printed ? " on paper" : "")
-                              << (look.is_dark ? " in the dark" : "");
+    const std::vector<PageLook> looks = {{.width = 1400},
+                                         {.width = 800},
+                                         {.width = 390},
+                                         {.width = 390, .is_dark = true},
+                                         {.width = kPaperWidth, .is_printed = true}};
+    const auto faults = FaultsOf(html, looks);
+    for (std::size_t k = 0; k < looks.size(); ++k) {
+      for (const auto& [what, found] : faults[k]) {
+        EXPECT_EQ(found, "") << what << " at " << looks[k].width << " px"
+                             << (looks[k].is_printed ? " on paper" : "")
+                             << (looks[k].is_dark ? " in the dark" : "");
       }
     }
   }

@@ -136,9 +136,9 @@ std::string PrintOf(const std::string& html) {
   return bytes;
 }
 
-std::map<std::string, std::string> FindingsIn(const std::string& dom) {
+std::map<std::string, std::string> FindingsIn(const std::string& dom, const std::string& id) {
   std::map<std::string, std::string> findings;
-  const std::size_t begin = dom.find("id=\"selftest\">");
+  const std::size_t begin = dom.find(fmt::format("id=\"{}\">", id));
   if (begin == std::string::npos) return findings;
   std::istringstream lines(dom.substr(dom.find('>', begin) + 1));
   for (std::string line; std::getline(lines, line) && line.find("</pre>") == std::string::npos;) {

@@ -37,7 +37,8 @@ std::map<std::string, std::string> FindingsOf(const std::string& html, const std
 // The bytes of the PDF that printing the page gives; empty if there is none.
 std::string PrintOf(const std::string& html);
 
-// The lines "name=value" of that self test.
-std::map<std::string, std::string> FindingsIn(const std::string& dom);
+// The lines "name=value" of the element `id`, that of the self test unless it is said.
+std::map<std::string, std::string> FindingsIn(const std::string& dom,
+                                              const std::string& id = "selftest");
 
 }  // namespace fathom

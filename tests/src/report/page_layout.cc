@@ -3,9 +3,13 @@
 
 #include "page_layout.h"
 
+#include "fathom/base/files/output_file.h"
+
+#include <filesystem>
 #include <string_view>
 
 #include "headless_browser.h"
+#include "test_folder.h"
 #include <fmt/format.h>
 
 namespace fathom {
@@ -54,16 +58,19 @@ addEventListener("load", async () => {
   const list = (texts) => [...texts].slice(0, 8).join("; ").replace(/\s+/g, " ");
   const text = `overflow=${list(overflow)}\nerrors=${list(foundErrors)}\n` +
     `unlabelled=${list(unlabelled.map((chart) => chart.className))}\nscreen=${list(screen)}\n`;
-  if (parent !== window) {
-    parent.postMessage(text, "*");
-    return;
-  }
+  parent.postMessage({look: LOOK, text}, "*");
+});
+</script>)";
+
+// A page of frames, and what they post: the findings of each under its number.
+constexpr std::string_view kFrames = R"(<!doctype html><body><script>
+addEventListener("message", ({data: {look, text}}) => {
   const report = document.createElement("pre");
-  report.id = "selftest";
+  report.id = `look_${look}`;
   report.textContent = text;
   document.body.append(report);
 });
-</script>)";
+</script>FRAMES</body>)";
 
 void ReplaceAll(std::string_view from, std::string_view to, std::string* text) {
   for (std::size_t at = 0; (at = text->find(from, at)) != std::string::npos; at += to.size()) {
@@ -71,19 +78,44 @@ void ReplaceAll(std::string_view from, std::string_view to, std::string* text) {
   }
 }
 
-}  // namespace
-
-std::map<std::string, std::string> FaultsOf(const std::string& html, const PageLook& look) {
+// The page as it stands in a look, with the script that posts what is wrong with it.
+std::string PageIn(const PageLook& look, std::size_t number, const std::string& html) {
   std::string page = html;
   if (look.is_printed) ReplaceAll("@media print", "@media all", &page);
   if (look.is_dark) ReplaceAll("(prefers-color-scheme: dark)", "(min-width: 1px)", &page);
   std::string script(kLayoutScript);
   ReplaceAll("IS_PRINTED", look.is_printed ? "true" : "false", &script);
+  ReplaceAll("LOOK", std::to_string(number), &script);
   ReplaceAll("<head>", fmt::format("<head>{}", kErrorScript), &page);
   page.insert(page.rfind("</body>"), script);
-  auto findings = FindingsIn(DomOf(page, {.width = look.width, .hash = ""}));
-  if (findings.empty()) findings["errors"] = "the browser did not load the page";
-  return findings;
+  return page;
+}
+
+}  // namespace
+
+std::vector<std::map<std::string, std::string>> FaultsOf(const std::string& html,
+                                                         const std::vector<PageLook>& looks) {
+  const std::filesystem::path folder = TestFolder() / "looks";
+  std::string frames;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    const std::filesystem::path file = folder / fmt::format("{}.html", k);
+    WriteFile(file, PageIn(looks[k], k, html));
+    frames += fmt::format(
+        R"(<iframe width="{}" height="1000" style="border:0" src="file://{}"></iframe>)",
+        looks[k].width,
+        file.string());
+  }
+  std::string page(kFrames);
+  ReplaceAll("FRAMES", frames, &page);
+  const std::string dom = DomOf(page, {.hash = ""});
+  std::filesystem::remove_all(folder);
+
+  std::vector<std::map<std::string, std::string>> faults;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    faults.push_back(FindingsIn(dom, fmt::format("look_{}", k)));
+    if (faults.back().empty()) faults.back()["errors"] = "the browser did not load the page";
+  }
+  return faults;
 }
 
 }  // namespace fathom
