@@ -23,7 +23,7 @@ TEST(Rudder, IsSaidToTurnTheOtherWayWhereItsAnglesDo) {
   const Path folder = EmptyTestFolder(), log = folder / "zigzag";
   std::string experiment = TextOf(FATHOM_DATA_DIR "/experiments/ship_zigzag.yaml");
   const std::string whole = "duration: 900";
-  experiment.replace(experiment.find(whole), whole.size(), "duration: 360");
+  experiment.replace(experiment.find(whole), whole.size(), "duration: 600");
   const Path shorter = WriteTestFile(folder / "zigzag.yaml", experiment);
   RunsWell("fathom_synthesize",
            {"--vehicle=" FATHOM_DATA_DIR "/vehicles/mariner.yaml",

@@ -8,7 +8,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/camera/detections_file.h"
 #include "fathom/film/tag_renderer.h"
-#include "fathom/images/image_file.h"
+#include "fathom/images/png_file.h"
 
 #include <cstddef>
 #include <iterator>

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glog/logging.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <turbojpeg.h>
@@ -127,14 +126,6 @@ GrayImage DecodeImage(const std::string& name, const std::string& bytes) {
     throw InputError(name + ": is no image, expected JPEG, PNG, PGM, PPM, TIFF or BMP.");
   }
   return DecodeByOpenCv(name, bytes);
-}
-
-std::string EncodePng(const GrayImage& image) {
-  const cv::Mat matrix(
-      image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
-  std::vector<std::uint8_t> bytes;
-  CHECK(cv::imencode(".png", matrix, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1}));
-  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace fathom

@@ -20,7 +20,4 @@ GrayImage ReadImage(const std::filesystem::path& path);
 // The same from memory; `name` stands for the file in messages.
 GrayImage DecodeImage(const std::string& name, const std::string& bytes);
 
-// The image as the bytes of a PNG file.
-std::string EncodePng(const GrayImage& image);
-
 }  // namespace fathom
