@@ -3,6 +3,7 @@
 
 #include "fathom/diagnosis/measures/limits.h"
 
+#include "fathom/base/random_stream.h"
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/search/suspects.h"
@@ -26,10 +27,7 @@ namespace {
 
 // The limits of one run, by label: of all suspects, or of `only` one. They do not depend on each
 // other.
-std::map<std::string, ExclusionLimit> LimitsIn(const SurgeRun& run,
-                                               std::uint64_t seed,
-                                               const std::string& only = "") {
-  const Log log = LogOf(run, seed);
+std::map<std::string, ExclusionLimit> LimitsIn(const Log& log, const std::string& only = "") {
   const MeasuredSegments segments = MeasuredSegmentsOf(std::span<const Log>(&log, 1), Dof::kSurge);
   const TrainingData data(segments.all, kSurgeTruth);
   const StructureFit fit =
@@ -49,14 +47,25 @@ struct Small {
   double truth;
 };
 
-// How many of so many runs with a small effect have it within its limits.
+// The log with white noise on its velocity.
+Log WithNoise(Log log, double std, std::uint64_t seed) {
+  RandomStream random(seed, "velocity");
+  for (double& velocity : log.velocity->values.front()) velocity += std * random.Normal();
+  return log;
+}
+
+// How many of so many runs with a small effect have it within its limits: all of one motion, each
+// with a noise of its own.
 int NumHeld(const Small& small, int num_runs) {
   SurgeRun run;
   run.input = Multisine(40.0);
   run.effects = small.effect;
+  run.velocity_noise = 0.0;
+  const Log motion = LogOf(run, 1);
   std::vector<char> is_held(num_runs, 0);
   SideBySide(num_runs, 2, [&](std::size_t i) {
-    const ExclusionLimit limit = LimitsIn(run, 100 + i, small.label).at(small.label);
+    const Log log = WithNoise(motion, 0.01, 100 + i);
+    const ExclusionLimit limit = LimitsIn(log, small.label).at(small.label);
     is_held[i] = limit.is_told && limit.low <= small.truth && small.truth <= limit.high;
   });
   return static_cast<int>(std::count(is_held.begin(), is_held.end(), 1));
@@ -93,10 +102,11 @@ TEST(LimitsOf, DoNotDependOnEachOther) {
   SurgeRun run;
   run.input = Multisine(40.0);
   run.effects = "thrust_dead_zone:width=0.3";
-  const auto all = LimitsIn(run, 7);
+  const Log log = LogOf(run, 7);
+  const auto all = LimitsIn(log);
   ASSERT_GT(all.size(), 6u);
   for (const auto& [label, limit] : all) {
-    const ExclusionLimit alone = LimitsIn(run, 7, label).at(label);
+    const ExclusionLimit alone = LimitsIn(log, label).at(label);
     EXPECT_EQ(alone.is_told, limit.is_told) << label;
     EXPECT_NEAR(Bounded(alone.low), Bounded(limit.low), 1e-6) << label;
     EXPECT_NEAR(Bounded(alone.high), Bounded(limit.high), 1e-6) << label;
@@ -110,7 +120,7 @@ TEST(LimitsOf, ExcludeNoSaturationAboveTheLargestCommand) {
   const Log log = LogOf(run, 1);
   const std::vector<double>* command = log.command->Find("tau_surge");
   const auto [least, most] = std::minmax_element(command->begin(), command->end());
-  const ExclusionLimit limit = LimitsIn(run, 1).at("thrust_saturation");
+  const ExclusionLimit limit = LimitsIn(log).at("thrust_saturation");
   EXPECT_TRUE(limit.is_told);
   EXPECT_LE(limit.low, std::max(-*least, *most));
   EXPECT_GT(limit.low, 0.5 * *most);
@@ -120,7 +130,7 @@ TEST(LimitsOf, ExcludeNoSaturationAboveTheLargestCommand) {
 TEST(LimitsOf, SayWhatCouldNotHaveBeenSeen) {
   SurgeRun run;
   run.input = Steps({20.0}, 120.0);
-  const auto limits = LimitsIn(run, 1);
+  const auto limits = LimitsIn(LogOf(run, 1));
   EXPECT_FALSE(limits.at("thrust_curve").is_told);
   EXPECT_FALSE(limits.at("thrust_asymmetry").is_told);
 }
@@ -129,7 +139,7 @@ TEST(LimitsOf, SayWhatCouldNotHaveBeenSeen) {
 TEST(LimitsOf, SayThatTwoLevelsShowNeitherSaturationNorCurve) {
   SurgeRun run;
   run.input = Square(20.0, 20.0);
-  const auto limits = LimitsIn(run, 1);
+  const auto limits = LimitsIn(LogOf(run, 1));
   for (const char* effect : {"thrust_saturation", "thrust_curve"}) {
     EXPECT_FALSE(limits.at(effect).is_told)
         << effect << ": " << limits.at(effect).low << " to " << limits.at(effect).high;
