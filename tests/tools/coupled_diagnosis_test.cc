@@ -10,6 +10,8 @@
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -45,6 +47,20 @@ TEST(CoupledDiagnosis, NamesNothingOfASoundVehicle) {
   const std::filesystem::path verdict = log / "verdict.json";
   RunsWell("fathom_diagnose", {Flag("log", log), "--dofs=surge,yaw", Flag("verdict", verdict)});
   EXPECT_EQ(JsonOf(verdict)["verdict"], "consistent");
+}
+
+TEST(CoupledDiagnosis, SaysWhichDofNeverMoves) {
+  const std::filesystem::path log = BoatLog(1.0);
+  const CsvColumns velocity = ReadColumns(log / "velocity.csv");
+  std::string more = fmt::format("{},w\n", fmt::join(velocity.names, ","));
+  for (const auto& row : velocity.rows) more += fmt::format("{},0\n", fmt::join(row, ","));
+  WriteTestFile(log / "velocity.csv", more);
+  const ToolRun run =
+      RunToolBinary("fathom_diagnose", {Flag("log", log), "--dofs=surge,heave,yaw"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err,
+              HasSubstr("fathom_diagnose: no diagnosis: the logs show no motion along heave. Leave "
+                        "that out: --dofs=surge,yaw.\n"));
 }
 
 TEST(CoupledDiagnosis, DependsNotOnTheThreads) {

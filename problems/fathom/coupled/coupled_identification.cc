@@ -4,6 +4,7 @@
 #include "fathom/coupled/coupled_identification.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/listed.h"
 #include "fathom/coupled/entry_search.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/simulate/noise_floor.h"
@@ -153,6 +154,31 @@ std::optional<std::string> UnitFin(const CoupledLogs& logs, const std::vector<Do
   return std::nullopt;
 }
 
+// Whether a DOF has one speed throughout.
+bool IsStill(const CoupledLogs& logs, Dof dof) {
+  std::optional<double> first;
+  for (const CoupledData& data : logs.data) {
+    for (const CoupledSegment& segment : data.segments) {
+      for (const Vector6& velocity : segment.velocity) {
+        const double speed = velocity[Index(dof)];
+        if (speed != first.value_or(speed)) return false;
+        first = speed;
+      }
+    }
+  }
+  return true;
+}
+
+// Why no model of these DOFs can be told, where some of them never move; else empty.
+std::string WhyStill(const CoupledLogs& logs, const std::vector<Dof>& dofs) {
+  std::vector<std::string> still, moving;
+  for (const Dof dof : dofs) (IsStill(logs, dof) ? still : moving).emplace_back(Name(dof));
+  if (still.empty()) return "";
+  const std::string rest =
+      moving.empty() ? "" : fmt::format(". Leave that out: --dofs={}", fmt::join(moving, ","));
+  return fmt::format("the logs show no motion along {}{}", Listed(still), rest);
+}
+
 // A caveat on the DOFs of which free runs miss much, and far more than scatters from sample to
 // sample; empty where there is none.
 std::string CaveatOnPoorFit(const CoupledIdentification& identified) {
@@ -185,6 +211,8 @@ CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                                                        : remark);
     }
   }
+  identified.message = WhyStill(all, options.dofs);
+  if (!identified.message.empty()) return identified;
   CoupledFitOptions fit = options.fit;
   if (vehicle) fit.body = vehicle->body;
   // What is not free of the inertia is the body's own, where that is known.
