@@ -67,6 +67,13 @@ double LogDetOf(const Eigen::MatrixXd& matrix) {
   return 2.0 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
+double WorthOfInformation(const Eigen::MatrixXd& information, const Eigen::VectorXd& sizes) {
+  const Eigen::VectorXd variances =
+      InverseOf(information).diagonal().cwiseQuotient(sizes.cwiseAbs2());
+  return LogDetOf(sizes.asDiagonal() * information * sizes.asDiagonal()) -
+         std::log(variances.maxCoeff());
+}
+
 Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd scales = ScalesOf(matrix);
   const Eigen::MatrixXd scaled = scales.asDiagonal() * matrix * scales.asDiagonal();

@@ -22,6 +22,11 @@ Eigen::MatrixXd InformationOf(const MotionDerivatives& derivatives, const StampN
 // ln det of a positive definite matrix; minus infinity of any other.
 double LogDetOf(const Eigen::MatrixXd& matrix);
 
+// What the search for a command makes as great as it can, docs/plan.md (2): the ln det of the
+// information in sizes of the parameters, less the ln of the weakest one's variance. Minus infinity
+// of a matrix that is not positive definite.
+double WorthOfInformation(const Eigen::MatrixXd& information, const Eigen::VectorXd& sizes);
+
 // The inverse of a positive definite matrix, scaled for it to unit diagonal. Infinite on the
 // diagonal of any other: nothing is known.
 Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& matrix);

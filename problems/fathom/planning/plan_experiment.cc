@@ -17,7 +17,7 @@
 namespace fathom {
 namespace {
 
-constexpr int kNumModelsInSearch = 64;
+constexpr int kNumModelsInSearch = 128;
 constexpr int kNumModelsBesideRivals = 24;
 constexpr int kNumModelsInCheck = 400;
 constexpr double kWiderInSearch =
@@ -36,7 +36,7 @@ constexpr int kDrawnPerBlock = 40;
 constexpr int kDrawnPerBlockWithRivals = 12;
 
 // How many stamps are computed in all, so that planning takes seconds.
-constexpr double kWork = 7e6;            // without rivals
+constexpr double kWork = 6e6;            // without rivals
 constexpr double kWorkWithRivals = 6e6;  // over the runs that a measure takes
 constexpr double kMostMoves = 8000.0;    // a short command needs no more
 

@@ -5,9 +5,12 @@
 
 #include "fathom/planning/flown_information.h"
 #include "fathom/planning/information.h"
+#include "fathom/planning/named_parameters.h"
 #include "fathom/planning/rival_separation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fathom {
 namespace {
@@ -19,23 +22,35 @@ constexpr double kShareOfInformation = 0.3;  // beside separations
 // change from day to day. It settles what the first blocks leave open.
 constexpr double kWeightSoFar = 0.03;
 
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+// What intervals are judged by: the parameter itself, that of an offset the greatest force. One
+// that the log so far does not tell from 0 is no larger than what it leaves open.
+Eigen::VectorXd SizesOf(const PlanRequest& request) {
+  Eigen::VectorXd sizes = request.model.covariance.diagonal().cwiseSqrt();
+  const std::vector<PlannedParameter> parameters = NamedParameters(request.model);
+  for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+    const double value = parameters[static_cast<std::size_t>(i)].value;
+    sizes[i] = i == kBuoyancy ? request.limits.force : std::max(std::abs(value), sizes[i]);
+  }
+  return sizes;
+}
+
 }  // namespace
 
-// Of the parameters in their standard deviations so far, so that units do not count.
 CommandMeasure InformationMeasure(const PlanRequest& request, const StampNoise& noise) {
-  const Eigen::VectorXd stds = request.model.covariance.diagonal().cwiseSqrt();
+  const Eigen::VectorXd sizes = SizesOf(request);
   const Eigen::MatrixXd known =
       kWeightSoFar * InverseOf(request.model.covariance) + FlownInformation(request);
   return [=, model = request.model.Extended(), dof = request.model.dof](
              const HeldCommand& command, std::span<const double> stamps) {
-    MeasuredCommand measured;
-    MotionDerivatives derivatives;
-    auto motion = MotionUnder(model, dof, command, stamps, &derivatives);
-    if (!motion) return measured;
-    const Eigen::MatrixXd sum = known + InformationOf(derivatives, noise);
-    measured.value = LogDetOf(stds.asDiagonal() * sum * stds.asDiagonal());
-    measured.motion = *std::move(motion);
-    return measured;
+    Eigen::MatrixXd information = known;
+    if (!stamps.empty()) {
+      MotionDerivatives derivatives;
+      if (!MotionUnder(model, dof, command, stamps, &derivatives)) return kNothing;
+      information += InformationOf(derivatives, noise);
+    }
+    return WorthOfInformation(information, sizes);
   };
 }
 
@@ -50,16 +65,15 @@ CommandMeasure SeparationMeasure(const PlanRequest& request,
           rivals = std::move(rivals),
           information = InformationMeasure(request, noise)](const HeldCommand& command,
                                                             std::span<const double> stamps) {
-    MeasuredCommand measured = information(command, stamps);
-    if (!std::isfinite(measured.value)) return measured;
-    measured.value *= kShareOfInformation;
+    double value = kShareOfInformation * information(command, stamps);
+    if (!std::isfinite(value) || stamps.empty()) return value;
     const std::vector<double> separations = QuickSeparations(rivals, {dof, command, stamps, noise});
-    if (separations.empty()) return MeasuredCommand();
+    if (separations.empty()) return kNothing;
     for (const double sigmas : separations) {
       const double squared = sigmas * sigmas;
-      measured.value += std::log1p(squared / (1.0 + squared / (kEnough * kEnough)));
+      value += std::log1p(squared / (1.0 + squared / (kEnough * kEnough)));
     }
-    return measured;
+    return value;
   };
 }
 

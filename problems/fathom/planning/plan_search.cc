@@ -5,6 +5,7 @@
 
 #include "fathom/base/parallel_for.h"
 #include "fathom/planning/kept_limits.h"
+#include "fathom/planning/planned_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kLongestBlock = 30.0;        // [s]
 constexpr double kLongestShareOfPlan = 0.25;  // of one block
+constexpr int kMostTrialsOfChange = 6;
 
 using Blocks = std::vector<CommandBlock>;
 
@@ -30,7 +32,9 @@ class CommandSearch {
  public:
   // `start`: each draws random numbers of its own.
   CommandSearch(const CommandTask& task, int start)
-      : task_(task), random_(task.seed, fmt::format("planning.search.{}", start)) {
+      : task_(task),
+        models_(task.models),
+        random_(task.seed, fmt::format("planning.search.{}", start)) {
     const double hold = task.limits.shortest_hold;
     num_cells_ = std::max(1, static_cast<int>(std::round(task.duration / hold)));
     const double longest = std::min(kLongestBlock, kLongestShareOfPlan * task.duration);
@@ -44,12 +48,12 @@ class CommandSearch {
   FoundCommand Build() {
     FoundCommand found;
     Blocks blocks;
-    double value = 0.0;
+    double value = task_.measure({}, {});
     while (NumCells(blocks) < num_cells_) {
       if (!Extend(&blocks, &value)) return found;
     }
     found.blocks = std::move(blocks);
-    found.value = MeasureOf(found.blocks).value;
+    found.value = MeasureOf(found.blocks);
     return found;
   }
 
@@ -69,15 +73,32 @@ class CommandSearch {
     return CommandOfCells(ForcesOf(blocks), task_.limits.shortest_hold);
   }
 
-  MeasuredCommand MeasureOf(const Blocks& blocks) const {
+  // The stamps until the blocks end.
+  std::span<const double> StampsOf(const Blocks& blocks) const {
     const double end = NumCells(blocks) * task_.limits.shortest_hold;
-    const auto last = std::upper_bound(stamps_.begin(), stamps_.end(), end + 1e-9);
-    return task_.measure(CommandOf(blocks), {stamps_.begin(), last});
+    return {stamps_.begin(), std::upper_bound(stamps_.begin(), stamps_.end(), end + 1e-9)};
   }
 
-  bool AllKeepLimits(const Blocks& blocks) const {
-    return NumBreaking(
-               task_.models, task_.dof, CommandOf(blocks), stamps_and_after_, task_.limits, 0) == 0;
+  double MeasureOf(const Blocks& blocks) const {
+    return task_.measure(CommandOf(blocks), StampsOf(blocks));
+  }
+
+  // Whether the first so many models keep the limits. Those that broke one last are asked first:
+  // most commands are broken by the same few.
+  bool KeepLimits(std::size_t num_models, const Blocks& blocks, std::span<const double> stamps) {
+    const HeldCommand command = CommandOf(blocks);
+    const auto end = models_.begin() + static_cast<std::ptrdiff_t>(num_models);
+    const auto breaking = std::find_if(models_.begin(), end, [&](const ExtendedModel& model) {
+      const auto motion = MotionUnder(model, task_.dof, command, stamps);
+      return !motion || !KeepsLimits(*motion, task_.limits);
+    });
+    if (breaking == end) return true;
+    std::rotate(models_.begin(), breaking, breaking + 1);
+    return false;
+  }
+
+  bool AllKeepLimits(const Blocks& blocks) {
+    return KeepLimits(models_.size(), blocks, stamps_and_after_);
   }
 
   // Behind the blocks, the vehicle is left where it is to the end.
@@ -99,9 +120,10 @@ class CommandSearch {
           DrawBlock(range_, DrawLength(std::min(rest, longest_block_)), random_);
       Blocks extended = *blocks;
       extended.push_back(block);
-      const MeasuredCommand measured = MeasureOf(extended);
-      if (!KeepsLimits(measured.motion, task_.limits) || std::isinf(measured.value)) continue;
-      drawn.emplace_back((measured.value - *value) / block.num_cells, block);
+      // A run without derivatives costs a sixth.
+      if (!KeepLimits(1, extended, StampsOf(extended))) continue;
+      const double worth = MeasureOf(extended);
+      if (std::isfinite(worth)) drawn.emplace_back((worth - *value) / block.num_cells, block);
     }
     drawn.emplace_back(-std::numeric_limits<double>::infinity(),
                        CommandBlock{.kind = BlockKind::kStep,
@@ -125,14 +147,18 @@ class CommandSearch {
                     static_cast<int>(random_.Uniform() * static_cast<double>(count)));
   }
 
-  // Takes one change of the command if it is worth more.
+  // Takes one change of the command if it is worth more. It costs little to see that a model breaks
+  // a limit: another change takes its place.
   void TryChange(FoundCommand* found) {
     Blocks changed = Changed(found->blocks);
-    const MeasuredCommand measured = MeasureOf(changed);
-    if (!(measured.value > found->value)) return;
-    if (!KeepsLimits(measured.motion, task_.limits) || !AllKeepLimits(changed)) return;
+    for (int trial = 1; trial < kMostTrialsOfChange; ++trial) {
+      if (KeepLimits(1, changed, stamps_and_after_)) break;
+      changed = Changed(found->blocks);
+    }
+    const double value = MeasureOf(changed);
+    if (!(value > found->value) || !AllKeepLimits(changed)) return;
     found->blocks = std::move(changed);
-    found->value = measured.value;
+    found->value = value;
   }
 
   Blocks Changed(Blocks blocks) {
@@ -186,6 +212,7 @@ class CommandSearch {
   }
 
   const CommandTask& task_;
+  std::vector<ExtendedModel> models_;  // in the order in which they are asked
   RandomStream random_;
   int num_cells_ = 1;
   int longest_block_ = 1;

@@ -5,7 +5,7 @@
 
 #include "fathom/planning/command_block.h"
 #include "fathom/planning/plan_limits.h"
-#include "fathom/planning/planned_motion.h"
+#include "fathom/vehicle/extended_model.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,13 +15,9 @@
 
 namespace fathom {
 
-// How much a command is worth, and what the model does under it that is planned for.
-struct MeasuredCommand {
-  double value = -std::numeric_limits<double>::infinity();  // minus infinity: nothing
-  PlannedMotion motion;
-};
+// How much a command is worth; minus infinity: nothing. Without stamps: what no command is worth.
 using CommandMeasure =
-    std::function<MeasuredCommand(const HeldCommand& command, std::span<const double> stamps)>;
+    std::function<double(const HeldCommand& command, std::span<const double> stamps)>;
 
 struct CommandTask {
   Dof dof = Dof::kSurge;
@@ -29,7 +25,7 @@ struct CommandTask {
   double duration = 0.0;              // [s]
   double period = 0.1;                // of the stamps at which motion is looked at [s]
   double holding_force = 0.0;         // that keeps the vehicle where it is [N] or [N m]
-  std::vector<ExtendedModel> models;  // that must keep the limits, all of them
+  std::vector<ExtendedModel> models;  // that must keep the limits, all of them: one at least
   CommandMeasure measure;
   int num_starts = 4;        // at least 1
   int drawn_per_block = 40;  // of which the best is taken

@@ -49,12 +49,20 @@ TEST(Information, IsThatOfTheWholeProblemLessTheStart) {
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(inverse(i, i) / covariance(i, i), 1.0, 1e-6);
   }
-  EXPECT_NEAR(LogDetOf(information), std::log(information.determinant()), 1e-6);
+
+  // In sizes of which the third parameter has the widest interval.
+  Eigen::Vector4d sizes = covariance.diagonal().head(4).cwiseSqrt() * 10.0;
+  sizes[2] *= 0.5;
+  EXPECT_NEAR(
+      WorthOfInformation(information, sizes),
+      std::log(information.determinant()) + 2.0 * sizes.array().log().sum() - std::log(0.04),
+      1e-6);
 }
 
 TEST(Information, OfASingularMatrixIsNone) {
   const Eigen::MatrixXd singular = Eigen::MatrixXd::Ones(2, 2) * 0.0;
-  EXPECT_EQ(LogDetOf(singular), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(WorthOfInformation(singular, Eigen::Vector2d::Ones()),
+            -std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isinf(InverseOf(singular)(0, 0)));
 }
 
