@@ -63,10 +63,10 @@ class PageLayout : public testing::Test {
 
 // What the other tests rely on.
 TEST_F(PageLayout, ShowsWhatIsWrongWithIt) {
-  const auto faults =
-      FaultsOf(R"(<!doctype html><html><head></head><body><div style="width: 900px">wide</div>)"
-               R"(<figure class="bare"></figure><script>console.error("lost");</script></body></html>)",
-               {{.width = 1400}, {.width = 390}});
+  const auto faults = FaultsOf(
+      R"(<!doctype html><html><head></head><body><div style="width: 900px">wide</div>)"
+      R"(<figure class="bare"></figure><script>console.error("lost");</script></body></html>)",
+      {{.width = 1400}, {.width = 390}});
   EXPECT_EQ(faults[0].at("overflow"), "");
   EXPECT_THAT(faults[1].at("overflow"), testing::HasSubstr("at first the page: 9"));
   for (const auto& fault : faults) {

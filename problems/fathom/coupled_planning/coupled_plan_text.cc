@@ -4,8 +4,8 @@
 #include "fathom/coupled_planning/coupled_plan_text.h"
 
 #include "fathom/planning/ordinary_sine.h"
-#include "fathom/planning/planned_motion.h"
 #include "fathom/planning/plan_text.h"
+#include "fathom/planning/planned_motion.h"
 #include "fathom/planning/thruster_text.h"
 
 #include <algorithm>

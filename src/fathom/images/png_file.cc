@@ -19,8 +19,7 @@ std::string EncodePng(const GrayImage& image) {
   header.flags = PNG_IMAGE_FLAG_FAST;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');
   png_alloc_size_t size = bytes.size();
-  CHECK(png_image_write_to_memory(
-      &header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
+  CHECK(png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
       << header.message;
   bytes.resize(size);
   return bytes;

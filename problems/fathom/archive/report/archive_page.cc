@@ -51,6 +51,9 @@ std::string HeaderHtml(const ArchiveReport& report, bool has_coupled) {
     html += fmt::format("<p class=\"lead change\">{}</p>\n", HtmlText(sentence));
   }
   html += fmt::format("<p class=\"lead logs\">{}</p>\n", HtmlText(LogsSentence(report)));
+  if (const auto without = DivesWithoutFitSentence(report.tables); !without.empty()) {
+    html += fmt::format("<p class=\"lead\">{}</p>\n", HtmlText(without));
+  }
   // The archive stands for its logs.
   PageOrigin origin = report.origin;
   origin.logs = {{"Archive " + report.archive, "", ""}};

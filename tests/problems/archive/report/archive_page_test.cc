@@ -34,6 +34,16 @@ TEST(ArchivePage, SaysWhatChangedBeforeAllElse) {
   EXPECT_LT(logs, body.find("<h2>"));
 }
 
+TEST(ArchivePage, NamesDivesWithoutAJointFit) {
+  ArchiveReport report = ExampleArchive();
+  EXPECT_THAT(WithoutScripts(RenderArchivePage(report)),
+              HasSubstr("Of 1 dive no DOF has a usable joint fit: dive-007 (surge: no stretch is "
+                        "excited).</p>"));
+  for (DiveFitRow& row : report.tables.dive_fits) row.usable = true;
+  EXPECT_THAT(WithoutScripts(RenderArchivePage(report)),
+              Not(HasSubstr("no DOF has a usable joint fit")));
+}
+
 TEST(ArchivePage, ListsEveryLogThatGaveNoModelWithItsReason) {
   const ArchiveReport report = ExampleArchive();
   const std::string body = WithoutScripts(RenderArchivePage(report));
