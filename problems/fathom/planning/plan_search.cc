@@ -150,15 +150,16 @@ class CommandSearch {
   // Takes one change of the command if it is worth more. It costs little to see that a model breaks
   // a limit: another change takes its place.
   void TryChange(FoundCommand* found) {
-    Blocks changed = Changed(found->blocks);
-    for (int trial = 1; trial < kMostTrialsOfChange; ++trial) {
-      if (KeepLimits(1, changed, stamps_and_after_)) break;
-      changed = Changed(found->blocks);
+    for (int trial = 0; trial < kMostTrialsOfChange; ++trial) {
+      Blocks changed = Changed(found->blocks);
+      if (!KeepLimits(1, changed, stamps_and_after_)) continue;
+      const double value = MeasureOf(changed);
+      if (value > found->value && AllKeepLimits(changed)) {
+        found->blocks = std::move(changed);
+        found->value = value;
+      }
+      return;
     }
-    const double value = MeasureOf(changed);
-    if (!(value > found->value) || !AllKeepLimits(changed)) return;
-    found->blocks = std::move(changed);
-    found->value = value;
   }
 
   Blocks Changed(Blocks blocks) {
