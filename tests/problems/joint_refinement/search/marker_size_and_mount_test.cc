@@ -91,9 +91,9 @@ TEST(SetupFit, SaysHowLittleOneMarkerTellsOfItsSize) {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-SyntheticCameraRun ShortRun(WanderKind wander, double duration) {
+SyntheticCameraRun TwentySeconds(WanderKind wander) {
   return Synthesize(
-      {.input = InputKind::kMultisine, .duration = duration, .wander = wander, .seed = 2});
+      {.input = InputKind::kMultisine, .duration = 20.0, .wander = wander, .seed = 2});
 }
 
 void ExpectNoTrace(const SyntheticCameraRun& run, const JointOptions& options) {
@@ -106,7 +106,7 @@ void ExpectNoTrace(const SyntheticCameraRun& run, const JointOptions& options) {
 // same to the corners. With nothing known beforehand there is no answer, and it says why; with
 // something, there is.
 TEST(SetupFit, SaysThatTheDirectionOfTheCameraLeavesNoTraceIfTheVehicleNeverTurns) {
-  const SyntheticCameraRun still = ShortRun(WanderKind::kNone, 20.0);
+  const SyntheticCameraRun still = TwentySeconds(WanderKind::kNone);
   ExpectNoTrace(still, {.mount_angle_std = kUnknown});
   const JointSummary known = FitJoint(still.input, {.mount_angle_std = 0.02});
   ASSERT_TRUE(known.IsUsable()) << known.message;
@@ -116,7 +116,7 @@ TEST(SetupFit, SaysThatTheDirectionOfTheCameraLeavesNoTraceIfTheVehicleNeverTurn
 // Nor do size, place and direction together if it wanders a little.
 TEST(SetupFit, SaysThatSizeAndMountTogetherLeaveNoTraceIfTheVehicleWandersALittle) {
   ExpectNoTrace(
-      ShortRun(WanderKind::kFiltered, 10.0),
+      TwentySeconds(WanderKind::kFiltered),
       {.size_scale_std = kUnknown, .mount_position_std = kUnknown, .mount_angle_std = kUnknown});
 }
 
