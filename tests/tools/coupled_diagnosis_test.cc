@@ -59,8 +59,8 @@ TEST(CoupledDiagnosis, SaysWhichDofNeverMoves) {
       RunToolBinary("fathom_diagnose", {Flag("log", log), "--dofs=surge,heave,yaw"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err,
-              HasSubstr("fathom_diagnose: no diagnosis: the logs show no motion along heave. Leave "
-                        "that out: --dofs=surge,yaw.\n"));
+              HasSubstr("fathom_diagnose: no diagnosis: the speed along heave never changes in "
+                        "these logs; try --dofs=surge,yaw.\n"));
 }
 
 TEST(CoupledDiagnosis, DependsNotOnTheThreads) {

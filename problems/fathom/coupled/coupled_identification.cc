@@ -154,7 +154,7 @@ std::optional<std::string> UnitFin(const CoupledLogs& logs, const std::vector<Do
   return std::nullopt;
 }
 
-// Whether a DOF has one speed throughout.
+// Whether the speed along a DOF is known and never changes.
 bool IsStill(const CoupledLogs& logs, Dof dof) {
   std::optional<double> first;
   for (const CoupledData& data : logs.data) {
@@ -166,17 +166,17 @@ bool IsStill(const CoupledLogs& logs, Dof dof) {
       }
     }
   }
-  return true;
+  return first.has_value();
 }
 
-// Why no model of these DOFs can be told, where some of them never move; else empty.
+// Why no model of these DOFs can be told, where the speed along some never changes; else empty.
 std::string WhyStill(const CoupledLogs& logs, const std::vector<Dof>& dofs) {
   std::vector<std::string> still, moving;
   for (const Dof dof : dofs) (IsStill(logs, dof) ? still : moving).emplace_back(Name(dof));
   if (still.empty()) return "";
   const std::string rest =
-      moving.empty() ? "" : fmt::format(". Leave that out: --dofs={}", fmt::join(moving, ","));
-  return fmt::format("the logs show no motion along {}{}", Listed(still), rest);
+      moving.empty() ? "" : fmt::format("; try --dofs={}", fmt::join(moving, ","));
+  return fmt::format("the speed along {} never changes in these logs{}", Listed(still), rest);
 }
 
 // A caveat on the DOFs of which free runs miss much, and far more than scatters from sample to

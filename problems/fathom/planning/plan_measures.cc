@@ -24,8 +24,8 @@ constexpr double kWeightSoFar = 0.03;
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-// What intervals are judged by: the parameter itself, that of an offset the greatest force. One
-// that the log so far does not tell from 0 is no larger than what it leaves open.
+// What the interval of each parameter is compared with: its value, or its standard deviation so far
+// where that is more; that of the offset with the greatest force.
 Eigen::VectorXd SizesOf(const PlanRequest& request) {
   Eigen::VectorXd sizes = request.model.covariance.diagonal().cwiseSqrt();
   const std::vector<PlannedParameter> parameters = NamedParameters(request.model);

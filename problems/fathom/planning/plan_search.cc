@@ -83,9 +83,9 @@ class CommandSearch {
     return task_.measure(CommandOf(blocks), StampsOf(blocks));
   }
 
-  // Whether the first so many models keep the limits. Those that broke one last are asked first:
-  // most commands are broken by the same few.
-  bool KeepLimits(std::size_t num_models, const Blocks& blocks, std::span<const double> stamps) {
+  // Whether the first so many models keep the limits. One that does not is asked first from then
+  // on.
+  bool IsKeptByFirst(std::size_t num_models, const Blocks& blocks, std::span<const double> stamps) {
     const HeldCommand command = CommandOf(blocks);
     const auto end = models_.begin() + static_cast<std::ptrdiff_t>(num_models);
     const auto breaking = std::find_if(models_.begin(), end, [&](const ExtendedModel& model) {
@@ -97,8 +97,8 @@ class CommandSearch {
     return false;
   }
 
-  bool AllKeepLimits(const Blocks& blocks) {
-    return KeepLimits(models_.size(), blocks, stamps_and_after_);
+  bool IsKeptByAll(const Blocks& blocks) {
+    return IsKeptByFirst(models_.size(), blocks, stamps_and_after_);
   }
 
   // Behind the blocks, the vehicle is left where it is to the end.
@@ -121,7 +121,7 @@ class CommandSearch {
       Blocks extended = *blocks;
       extended.push_back(block);
       // A run without derivatives costs a sixth.
-      if (!KeepLimits(1, extended, StampsOf(extended))) continue;
+      if (!IsKeptByFirst(1, extended, StampsOf(extended))) continue;
       const double worth = MeasureOf(extended);
       if (std::isfinite(worth)) drawn.emplace_back((worth - *value) / block.num_cells, block);
     }
@@ -134,7 +134,7 @@ class CommandSearch {
     for (const auto& [gain, block] : drawn) {
       Blocks extended = *blocks;
       extended.push_back(block);
-      if (!AllKeepLimits(WithRest(extended))) continue;
+      if (!IsKeptByAll(WithRest(extended))) continue;
       if (std::isfinite(gain)) *value += gain * block.num_cells;
       *blocks = std::move(extended);
       return true;
@@ -152,9 +152,9 @@ class CommandSearch {
   void TryChange(FoundCommand* found) {
     for (int trial = 0; trial < kMostTrialsOfChange; ++trial) {
       Blocks changed = Changed(found->blocks);
-      if (!KeepLimits(1, changed, stamps_and_after_)) continue;
+      if (!IsKeptByFirst(1, changed, stamps_and_after_)) continue;
       const double value = MeasureOf(changed);
-      if (value > found->value && AllKeepLimits(changed)) {
+      if (value > found->value && IsKeptByAll(changed)) {
         found->blocks = std::move(changed);
         found->value = value;
       }

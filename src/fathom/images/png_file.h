@@ -9,7 +9,7 @@
 
 namespace fathom {
 
-// The image as the bytes of a PNG file.
+// The image as the bytes of a PNG file, 8 bits of grey for each pixel.
 std::string EncodePng(const GrayImage& image);
 
 }  // namespace fathom

@@ -16,6 +16,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "side_by_side.h"
@@ -60,11 +61,11 @@ int NumHeld(const Small& small, int num_runs) {
   SurgeRun run;
   run.input = Multisine(40.0);
   run.effects = small.effect;
-  run.velocity_noise = 0.0;
+  const double noise = std::exchange(run.velocity_noise, 0.0);
   const Log motion = LogOf(run, 1);
   std::vector<char> is_held(num_runs, 0);
   SideBySide(num_runs, 2, [&](std::size_t i) {
-    const Log log = WithNoise(motion, 0.01, 100 + i);
+    const Log log = WithNoise(motion, noise, 100 + i);
     const ExclusionLimit limit = LimitsIn(log, small.label).at(small.label);
     is_held[i] = limit.is_told && limit.low <= small.truth && small.truth <= limit.high;
   });
