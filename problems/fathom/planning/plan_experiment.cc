@@ -23,8 +23,6 @@ constexpr int kNumModelsInCheck = 400;
 constexpr double kWiderInSearch =
     1.5;  // the covariance of what is drawn: few models stand for rare ones
 constexpr double kShareAllowed = 0.01;  // of the models that may break a limit
-constexpr int kNumTrials = 6;           // with limits narrower from one to the next
-constexpr double kNarrower = 0.95;
 constexpr double kLargestPeriod = 0.1;  // of the stamps in the search [s]
 constexpr int kMostStamps = 3000;
 
@@ -106,24 +104,20 @@ bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPla
                            random);
   const std::vector<ExtendedModel> others =
       DrawModels(request.model, kNumModelsInCheck, request.name, random);
-  for (int trial = 0; trial < kNumTrials; ++trial) {
-    FoundCommand found = SearchCommand(task);
-    if (found.blocks.empty()) return false;
-    plan->blocks = std::move(found.blocks);
-    plan->force = task.limits.force;
-    plan->command = CommandOfCells(ForcesOf(plan->blocks), request.limits.shortest_hold);
-    if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
-    if (plan->share_breaking <= kShareAllowed) {
-      plan->sine = LargestOrdinarySine(request, plan->duration, stamps.during);
-      ForecastParameters(request, others, stamps.during, stamps.noise, plan);
-      ForecastSeparations(request, request.rivals, stamps.during, stamps.noise, plan);
-      return true;
-    }
-    task.limits.speed *= kNarrower;
-    task.limits.distance.low *= kNarrower;
-    task.limits.distance.high *= kNarrower;
-  }
-  return false;
+  const int most = static_cast<int>(kShareAllowed * kNumModelsInCheck);
+  task.is_kept_by_others = [&](const HeldCommand& command) {
+    return NumBreaking(others, task.dof, command, stamps.and_after, request.limits, most) <= most;
+  };
+  FoundCommand found = SearchCommand(task);
+  if (found.blocks.empty()) return false;
+  plan->blocks = std::move(found.blocks);
+  plan->force = task.limits.force;
+  plan->command = CommandOfCells(ForcesOf(plan->blocks), request.limits.shortest_hold);
+  if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
+  plan->sine = LargestOrdinarySine(request, plan->duration, stamps.during);
+  ForecastParameters(request, others, stamps.during, stamps.noise, plan);
+  ForecastSeparations(request, request.rivals, stamps.during, stamps.noise, plan);
+  return true;
 }
 
 }  // namespace

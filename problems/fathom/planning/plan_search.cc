@@ -19,6 +19,11 @@ namespace {
 constexpr double kLongestBlock = 30.0;        // [s]
 constexpr double kLongestShareOfPlan = 0.25;  // of one block
 constexpr int kMostTrialsOfChange = 6;
+constexpr int kNumRounds = 4;       // of improving the best start
+constexpr double kNarrower = 0.98;  // of limits
+constexpr int kMostNarrowings = 12;
+constexpr int kMostTrialsOfNarrowing = 2000;  // for so many changes that keep narrower limits:
+constexpr int kEnoughKept = 10;
 
 using Blocks = std::vector<CommandBlock>;
 
@@ -33,6 +38,7 @@ class CommandSearch {
   // `start`: each draws random numbers of its own.
   CommandSearch(const CommandTask& task, int start)
       : task_(task),
+        limits_(task.limits),
         models_(task.models),
         random_(task.seed, fmt::format("planning.search.{}", start)) {
     const double hold = task.limits.shortest_hold;
@@ -57,9 +63,14 @@ class CommandSearch {
     return found;
   }
 
-  // Tries so many changes of a command, each kept if it is worth more.
+  // Tries so many changes of a command, each kept if it is worth more. Then narrows the limits
+  // until the other models keep them too; no blocks if they never do.
   void Improve(int num_moves, FoundCommand* found) {
+    const FoundCommand before = *found;
     for (int move = 0; move < num_moves; ++move) TryChange(found);
+    for (int i = 0; !found->blocks.empty() && !IsKeptByOthers(*found); ++i) {
+      *found = i < kMostNarrowings ? UnderNarrowerLimits(*found, before) : FoundCommand{};
+    }
   }
 
  private:
@@ -90,7 +101,7 @@ class CommandSearch {
     const auto end = models_.begin() + static_cast<std::ptrdiff_t>(num_models);
     const auto breaking = std::find_if(models_.begin(), end, [&](const ExtendedModel& model) {
       const auto motion = MotionUnder(model, task_.dof, command, stamps);
-      return !motion || !KeepsLimits(*motion, task_.limits);
+      return !motion || !KeepsLimits(*motion, limits_);
     });
     if (breaking == end) return true;
     std::rotate(models_.begin(), breaking, breaking + 1);
@@ -99,6 +110,10 @@ class CommandSearch {
 
   bool IsKeptByAll(const Blocks& blocks) {
     return IsKeptByFirst(models_.size(), blocks, stamps_and_after_);
+  }
+
+  bool IsKeptByOthers(const FoundCommand& found) const {
+    return task_.is_kept_by_others(CommandOf(found.blocks));
   }
 
   // Behind the blocks, the vehicle is left where it is to the end.
@@ -162,6 +177,25 @@ class CommandSearch {
     }
   }
 
+  // The change of a command that is worth most, of the first that keep narrower limits. If none
+  // does, the command before, where others keep it, or another one.
+  FoundCommand UnderNarrowerLimits(const FoundCommand& found, const FoundCommand& before) {
+    limits_.speed *= kNarrower;
+    limits_.distance.low *= kNarrower;
+    limits_.distance.high *= kNarrower;
+    FoundCommand best;
+    int num_kept = 0;
+    for (int i = 0; i < kMostTrialsOfNarrowing && num_kept < kEnoughKept; ++i) {
+      Blocks changed = Changed(found.blocks);
+      if (!IsKeptByAll(changed)) continue;
+      ++num_kept;
+      const double value = MeasureOf(changed);
+      if (value > best.value) best = {std::move(changed), value};
+    }
+    if (!best.blocks.empty()) return best;
+    return IsKeptByOthers(before) ? before : Build();
+  }
+
   Blocks Changed(Blocks blocks) {
     const int place = DrawPlace(blocks.size());
     CommandBlock& block = blocks[place];
@@ -213,6 +247,7 @@ class CommandSearch {
   }
 
   const CommandTask& task_;
+  PlanLimits limits_;
   std::vector<ExtendedModel> models_;  // in the order in which they are asked
   RandomStream random_;
   int num_cells_ = 1;
@@ -234,7 +269,11 @@ FoundCommand SearchCommand(const CommandTask& task) {
   });
   FoundCommand best = *std::max_element(
       starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-  if (!best.blocks.empty()) CommandSearch(task, task.num_starts).Improve(task.num_moves, &best);
+  CommandSearch search(task, task.num_starts);
+  // In rounds, so that the rest makes good what narrower limits cost.
+  for (int round = 0; round < kNumRounds && !best.blocks.empty(); ++round) {
+    search.Improve(task.num_moves / kNumRounds, &best);
+  }
   return best;
 }
 

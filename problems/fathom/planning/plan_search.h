@@ -26,6 +26,7 @@ struct CommandTask {
   double period = 0.1;                // of the stamps at which motion is looked at [s]
   double holding_force = 0.0;         // that keeps the vehicle where it is [N] or [N m]
   std::vector<ExtendedModel> models;  // that must keep the limits, all of them: one at least
+  std::function<bool(const HeldCommand& command)> is_kept_by_others;  // by enough of other models
   CommandMeasure measure;
   int num_starts = 4;        // at least 1
   int drawn_per_block = 40;  // of which the best is taken
@@ -40,7 +41,8 @@ struct FoundCommand {
 
 // The sequence of blocks of greatest measure that keeps the limits: built block by block, each the
 // best of several drawn; then improved by exchanging a block, its level, its length or its place,
-// as long as the measure grows; from several starts, of which the best is improved further.
+// as long as the measure grows; from several starts, of which the best is improved further. Where
+// others do not keep the limits, those of speed and distance are narrowed.
 // docs/plan.md, "The search". Depends on nothing but the task: the same one gives the same command
 // to the bit.
 FoundCommand SearchCommand(const CommandTask& task);
