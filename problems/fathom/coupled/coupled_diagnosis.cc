@@ -93,7 +93,8 @@ CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
   const auto of_fit = RunsOfFit(identified);
   for (const Dof dof : identified.fitted.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
-    const std::vector<FreeRun> runs = of_fit ? (*of_fit)[at] : RunsAlong(dof, identified);
+    const std::vector<FreeRun> runs =
+        of_fit ? (*of_fit)[at] : FreeRunsAlong(dof, identified.data, identified.prediction);
     diagnosis.scatter_nmae[at] = NmaeOfScatter(runs);
     diagnosis.run_nmae[at] = FiguresOfRuns(runs).nmae;
     if (diagnosis.run_nmae[at] >

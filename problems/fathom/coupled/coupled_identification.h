@@ -7,7 +7,6 @@
 #include "fathom/log/log.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
-#include "fathom/simulate/free_run.h"
 #include "fathom/vehicle/coupled/fitted_coupled_model.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/motion_structure.h"
@@ -49,8 +48,5 @@ struct CoupledIdentification {
 // know nothing of what an entry of `also_free` is of.
 CoupledIdentification IdentifyCoupled(std::vector<Log> logs,
                                       const CoupledIdentificationOptions& options);
-
-// The free runs that the model is judged by, along one DOF.
-std::vector<FreeRun> RunsAlong(Dof dof, const CoupledIdentification& identified);
 
 }  // namespace fathom

@@ -123,4 +123,18 @@ FreeRun FreeRunAlong(Dof dof,
   return run;
 }
 
+std::vector<FreeRun> FreeRunsAlong(Dof dof,
+                                   std::span<const CoupledData> logs,
+                                   const CoupledPrediction& prediction) {
+  std::vector<FreeRun> runs;
+  for (std::size_t k = 0; k < logs.size(); ++k) {
+    for (std::size_t s = 0; s < logs[k].segments.size(); ++s) {
+      const CoupledSegment& segment = logs[k].segments[s];
+      runs.push_back(
+          FreeRunAlong(dof, segment, {0, segment.time.size()}, prediction.velocity[k][s]));
+    }
+  }
+  return runs;
+}
+
 }  // namespace fathom

@@ -42,4 +42,9 @@ FreeRun FreeRunAlong(Dof dof,
                      const SampleWindow& samples,
                      std::span<const Vector6> predicted);
 
+// The same of all segments of all logs that a prediction is of.
+std::vector<FreeRun> FreeRunsAlong(Dof dof,
+                                   std::span<const CoupledData> logs,
+                                   const CoupledPrediction& prediction);
+
 }  // namespace fathom
