@@ -65,9 +65,10 @@ PlannedBand BandOfStates(const std::vector<CoupledState>& nominal,
   return band;
 }
 
-double GreatestTilt(const std::vector<CoupledState>& run) {
+// The greatest size of an angle in a run [rad].
+double GreatestOf(double (*angle)(const CoupledState&), const std::vector<CoupledState>& run) {
   double greatest = 0.0;
-  for (const CoupledState& state : run) greatest = std::max(greatest, TiltOf(state));
+  for (const CoupledState& state : run) greatest = std::max(greatest, std::abs(angle(state)));
   return greatest;
 }
 
@@ -146,13 +147,14 @@ bool ForecastMotion(const CoupledPlanRequest& request,
     motions[at] = WrenchMotion(others[at], plan->command, plan->time);
   });
   CoupledRuns runs;
-  std::vector<double> tilts;
+  std::vector<double> tilts, headings;
   int num_breaking = 0;
   for (const auto& motion : motions) {
     if (!motion || !KeepsLimits(*motion, request.limits)) ++num_breaking;
     if (!motion) continue;
     runs.push_back(*motion);
-    tilts.push_back(GreatestTilt(*motion));
+    tilts.push_back(GreatestOf(TiltOf, *motion));
+    headings.push_back(GreatestOf(HeadingOf, *motion));
   }
   plan->num_models = static_cast<int>(others.size());
   plan->share_breaking = static_cast<double>(num_breaking) / plan->num_models;
@@ -167,6 +169,7 @@ bool ForecastMotion(const CoupledPlanRequest& request,
     });
   }
   plan->tilt = Quantile(tilts, 0.95);
+  plan->heading = Quantile(headings, 0.95);
   return true;
 }
 

@@ -53,6 +53,11 @@ double TiltOf(const CoupledState& state) {
   return 2.0 * std::atan2(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
 }
 
+double HeadingOf(const CoupledState& state) {
+  const Eigen::Vector4d& q = state.attitude;
+  return std::atan2(2.0 * (q[0] * q[1] + q[2] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]));
+}
+
 bool KeepsLimits(std::span<const CoupledState> run, const CoupledLimits& limits) {
   return std::all_of(run.begin(), run.end(), [&](const CoupledState& state) {
     for (std::size_t i = 0; i < 6; ++i) {
@@ -61,7 +66,7 @@ bool KeepsLimits(std::span<const CoupledState> run, const CoupledLimits& limits)
     for (std::size_t i = 0; i < 3; ++i) {
       if (!IsWithin(state.position[static_cast<Eigen::Index>(i)], limits.room[i])) return false;
     }
-    return TiltOf(state) <= limits.tilt;
+    return TiltOf(state) <= limits.tilt && std::abs(HeadingOf(state)) <= limits.heading;
   });
 }
 
@@ -77,6 +82,7 @@ CoupledLimits ParseCoupledLimits(const std::string& name, const std::string& tex
                    ValueRange{-DistanceOf(*distance, "up"), DistanceOf(*distance, "down")}};
   }
   if (file.Has("tilt")) limits.tilt = NumberWithin(file, "tilt", 1e-3, std::numbers::pi);
+  if (file.Has("heading")) limits.heading = NumberWithin(file, "heading", 1e-3, std::numbers::pi);
   if (file.Has("thruster_force")) limits.thruster_force = Positive(file, "thruster_force");
   limits.shortest_hold =
       NumberWithin(file, "shortest_hold", kLeastHold, kGreatestHold, limits.shortest_hold);

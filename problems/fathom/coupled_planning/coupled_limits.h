@@ -29,6 +29,7 @@ struct CoupledLimits {
                                     ValueRange{-kNoLimit, kNoLimit},
                                     ValueRange{-kNoLimit, kNoLimit}};
   double tilt = kNoLimit;               // greatest angle to the upright [rad]
+  double heading = kNoLimit;            // greatest turn from that at the start, either way [rad]
   double thruster_force = kNoLimit;     // greatest of each thruster, either way [N]
   double shortest_hold = 1.0;           // of one force: the period of the command [s]
   std::optional<double> duration = {};  // [s]
@@ -41,6 +42,10 @@ struct CoupledLimits {
 
 // The angle between the body's down and the world's [rad].
 double TiltOf(const CoupledState& state);
+
+// Between the body's x axis, seen from above, and the world's: -pi to pi, to starboard above 0
+// [rad].
+double HeadingOf(const CoupledState& state);
 
 // True if all states of a run from the origin stay within the limits.
 bool KeepsLimits(std::span<const CoupledState> run, const CoupledLimits& limits);

@@ -106,6 +106,7 @@ std::string FormatCoupledPlan(const CoupledPlanRequest& request, const CoupledPl
                               {"speed", ByName(request.limits.speed)},
                               {"distance", RoomJson(request.limits)},
                               {"tilt", request.limits.tilt},
+                              {"heading", request.limits.heading},
                               {"thruster_force", request.limits.thruster_force},
                               {"shortest_hold", request.limits.shortest_hold}}},
                             {"velocity", VelocityJson(request, plan)},

@@ -50,6 +50,9 @@ std::vector<std::string> ReachesOf(const std::vector<Dof>& dofs, const CoupledPl
   const bool tilts = std::any_of(
       dofs.begin(), dofs.end(), [](Dof dof) { return dof == Dof::kRoll || dof == Dof::kPitch; });
   if (tilts) reaches.push_back(fmt::format("a tilt of {:.2f} rad", plan.tilt));
+  if (std::ranges::count(dofs, Dof::kYaw) > 0) {
+    reaches.push_back(fmt::format("a heading {:.2f} rad off the start's", plan.heading));
+  }
   return reaches;
 }
 

@@ -183,6 +183,7 @@ CoupledLimits Narrowed(CoupledLimits limits) {
     range = {kNarrowerForNext * range.low, kNarrowerForNext * range.high};
   }
   limits.tilt *= kNarrowerForNext;
+  limits.heading *= kNarrowerForNext;
   return limits;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error_from.h"
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -20,7 +21,7 @@ std::string CoupledRefusalOf(const std::string& text) {
 TEST(CoupledLimits, ReadsEveryKey) {
   const CoupledLimits limits = ParseCoupledLimits(
       "lake.yaml",
-      "force: {surge: 40, yaw: 8}\nspeed: {surge: 0.8, yaw: 0.7}\ntilt: 0.3\n"
+      "force: {surge: 40, yaw: 8}\nspeed: {surge: 0.8, yaw: 0.7}\ntilt: 0.3\nheading: 0.6\n"
       "distance: {back: 2, ahead: 3, port: 4, starboard: 5, up: 6, down: 7}\n"
       "shortest_hold: 0.5\nminutes: 2\nvelocity: {rate: 7, noise: {sway: 0.02}}\n");
   EXPECT_EQ(limits.force[0], 40.0);
@@ -29,6 +30,7 @@ TEST(CoupledLimits, ReadsEveryKey) {
   EXPECT_EQ(limits.speed[5], 0.7);
   EXPECT_TRUE(std::isinf(limits.speed[1]));
   EXPECT_EQ(limits.tilt, 0.3);
+  EXPECT_EQ(limits.heading, 0.6);
   EXPECT_EQ(limits.room[0].low, -2.0);
   EXPECT_EQ(limits.room[1].low, -4.0);
   EXPECT_EQ(limits.room[1].high, 5.0);
@@ -62,7 +64,19 @@ TEST(CoupledLimits, TiltIsTheAngleToTheUpright) {
   EXPECT_NEAR(TiltOf({.attitude = {0.0, 0.0, std::sin(1.1), std::cos(1.1)}}), 0.0, 1e-12);
 }
 
-TEST(CoupledLimits, AreBrokenBySpeedRoomAndTiltAlike) {
+// By the rotation matrix of Eigen: where the body's x axis points, seen from above.
+TEST(CoupledLimits, HeadingIsWhereTheBowPoints) {
+  for (const double turn : {-3.0, -0.6, 0.0, 1.2}) {
+    const Eigen::Quaterniond attitude(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
+                                      Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitY()) *
+                                      Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitX()));
+    const Eigen::Vector3d bow = attitude * Eigen::Vector3d::UnitX();
+    EXPECT_NEAR(HeadingOf({.attitude = attitude.coeffs()}), std::atan2(bow.y(), bow.x()), 1e-12);
+    EXPECT_NEAR(HeadingOf({.attitude = attitude.coeffs()}), turn, 1e-12);
+  }
+}
+
+TEST(CoupledLimits, AreBrokenBySpeedRoomTiltAndHeadingAlike) {
   CoupledLimits limits;
   limits.speed[5] = 0.5;
   limits.room[1] = {-1.0, 2.0};
@@ -79,6 +93,10 @@ TEST(CoupledLimits, AreBrokenBySpeedRoomAndTiltAlike) {
   run[2].position[1] = std::nan("");
   EXPECT_FALSE(KeepsLimits(run, limits));
   run[2] = {.attitude = {std::sin(0.2), 0.0, 0.0, std::cos(0.2)}};
+  EXPECT_FALSE(KeepsLimits(run, limits));
+  run[2] = {.attitude = {0.0, 0.0, std::sin(-0.35), std::cos(-0.35)}};
+  EXPECT_TRUE(KeepsLimits(run, limits));
+  limits.heading = 0.6;
   EXPECT_FALSE(KeepsLimits(run, limits));
 }
 

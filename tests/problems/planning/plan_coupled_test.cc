@@ -176,6 +176,30 @@ TEST(PlanCoupled, KnowsTheWeakestEntryBetterThanASineOnOneAxisAfterTheOther) {
   }
 }
 
+// What a camera needs: played by the truth, the bow stays near the wall of markers.
+TEST(PlanCoupled, KeepsTheHeadingThatItsLimitsAskFor) {
+  const DrawnBoat boat = DrawBoat(33);
+  CoupledPlanRequest request = BoatRequest(boat, 40.0, 0.1);
+  const CoupledPlan anywhere = PlanCoupledExperiment(request);
+  ASSERT_TRUE(anywhere.IsUsable()) << anywhere.message;
+  EXPECT_GT(anywhere.heading, 0.8);
+  request.limits.heading = 0.5;
+  const CoupledPlan plan = PlanCoupledExperiment(request);
+  ASSERT_TRUE(plan.IsUsable()) << plan.message;
+  EXPECT_LE(plan.heading, 0.5);
+  EXPECT_GT(plan.heading, 0.2);
+  double heading = 0.0, farthest = 0.0;  // of a boat that stays level
+  const CoupledData played = PlayedLog(boat.truth, plan.command, 50.0, 0.0, 1);
+  const CoupledSegment& run = played.segments.front();
+  for (std::size_t i = 1; i < run.time.size(); ++i) {
+    heading +=
+        0.5 * (run.velocity[i - 1][5] + run.velocity[i][5]) * (run.time[i] - run.time[i - 1]);
+    farthest = std::max(farthest, std::abs(heading));
+  }
+  EXPECT_LE(farthest, 0.5);
+  EXPECT_GT(farthest, 0.2);
+}
+
 TEST(PlanCoupled, GivesTheSamePlanToTheBitForTheSameSeed) {
   const CoupledPlanRequest request = BoatRequest(DrawBoat(41), 20.0, 0.1);
   const std::string first = FormatCoupledPlan(request, PlanCoupledExperiment(request));
