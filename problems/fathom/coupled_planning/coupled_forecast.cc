@@ -65,10 +65,9 @@ PlannedBand BandOfStates(const std::vector<CoupledState>& nominal,
   return band;
 }
 
-// The greatest size of an angle in a run [rad].
-double GreatestOf(double (*angle)(const CoupledState&), const std::vector<CoupledState>& run) {
+double GreatestTilt(const std::vector<CoupledState>& run) {
   double greatest = 0.0;
-  for (const CoupledState& state : run) greatest = std::max(greatest, std::abs(angle(state)));
+  for (const CoupledState& state : run) greatest = std::max(greatest, TiltOf(state));
   return greatest;
 }
 
@@ -147,14 +146,13 @@ bool ForecastMotion(const CoupledPlanRequest& request,
     motions[at] = WrenchMotion(others[at], plan->command, plan->time);
   });
   CoupledRuns runs;
-  std::vector<double> tilts, headings;
+  std::vector<double> tilts;
   int num_breaking = 0;
   for (const auto& motion : motions) {
     if (!motion || !KeepsLimits(*motion, request.limits)) ++num_breaking;
     if (!motion) continue;
     runs.push_back(*motion);
-    tilts.push_back(GreatestOf(TiltOf, *motion));
-    headings.push_back(GreatestOf(HeadingOf, *motion));
+    tilts.push_back(GreatestTilt(*motion));
   }
   plan->num_models = static_cast<int>(others.size());
   plan->share_breaking = static_cast<double>(num_breaking) / plan->num_models;
@@ -169,7 +167,10 @@ bool ForecastMotion(const CoupledPlanRequest& request,
     });
   }
   plan->tilt = Quantile(tilts, 0.95);
-  plan->heading = Quantile(headings, 0.95);
+  // Without a limit the bow may go round and round.
+  if (std::isfinite(request.limits.heading)) {
+    plan->heading = BandOfStates(*nominal, runs, HeadingOf);
+  }
   return true;
 }
 

@@ -86,7 +86,7 @@ struct CoupledPlan {
   std::array<PlannedBand, 6> speed;  // of modelled DOFs, by Index(Dof)
   std::array<PlannedBand, 3> position;  // from the start: ahead, starboard, down [m]
   double tilt = 0.0;                    // that 95 % of the models stay below [rad]
-  double heading = 0.0;                 // the same, either way from the start's, at most pi [rad]
+  PlannedBand heading;  // off that at the start, where it has a limit; else empty [rad]
 };
 
 }  // namespace fathom

@@ -44,6 +44,11 @@ Page CoupledPlanPage(const CoupledPlanRequest& request, const CoupledPlan& plan)
                                               plan.position[at],
                                               request.limits.room[at]));
   }
+  if (!plan.heading.value.empty()) {
+    const double heading = request.limits.heading;
+    section.time_panels.push_back(MotionPanel(
+        "heading off the start's", "rad", plan.time, plan.heading, {-heading, heading}));
+  }
   section.tables = {PlannedEntryTable(plan)};
   if (!plan.separations.empty()) section.tables.push_back(CoupledSeparationTable(plan));
   page.footer =

@@ -50,8 +50,8 @@ std::vector<std::string> ReachesOf(const std::vector<Dof>& dofs, const CoupledPl
   const bool tilts = std::any_of(
       dofs.begin(), dofs.end(), [](Dof dof) { return dof == Dof::kRoll || dof == Dof::kPitch; });
   if (tilts) reaches.push_back(fmt::format("a tilt of {:.2f} rad", plan.tilt));
-  if (std::ranges::count(dofs, Dof::kYaw) > 0) {
-    reaches.push_back(fmt::format("a heading {:.2f} rad off the start's", plan.heading));
+  if (!plan.heading.value.empty()) {
+    reaches.push_back(fmt::format("a heading {:.2f} rad off the start's", ReachOf(plan.heading)));
   }
   return reaches;
 }
