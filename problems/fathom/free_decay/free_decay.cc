@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,75 +62,109 @@ void AddCaveats(const FreeDecayOptions& options, FreeDecaySummary* summary) {
   }
 }
 
+// Counts the samples; the root mean square of their motion.
+double CountedSize(std::span<const DecayStretch> stretches, FreeDecaySummary* summary) {
+  double sum_of_squares = 0.0;
+  for (const DecayStretch& stretch : stretches) {
+    CHECK_EQ(stretch.time.size(), stretch.motion.size());
+    summary->num_samples += static_cast<int>(stretch.time.size());
+    if (!stretch.time.empty()) summary->duration += stretch.time.back() - stretch.time.front();
+    for (const double value : stretch.motion) sum_of_squares += value * value;
+  }
+  return std::sqrt(sum_of_squares / summary->num_samples);
+}
+
+// From two starts, as the one of least squares may be biased far by noise.
+DecayPoint LeastSquares(std::span<const DecayStretch> stretches,
+                        const FreeDecayOptions& options,
+                        double duration,
+                        double scale) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd start = DecayGuess(stretches, options);
+  DecayPoint found = SearchDecay(start, stretches, options, scale, kInfinite);
+  start[kLinearRate] = 3.0 * static_cast<double>(stretches.size()) / duration;
+  start[kQuadraticRate] = 0.0;
+  DecayPoint other = SearchDecay(start, stretches, options, scale, kInfinite);
+  const bool is_better =
+      !found.solve.converged || (other.solve.converged && other.solve.cost < found.solve.cost);
+  return is_better ? other : found;
+}
+
+// A search that ended, and what it leaves; no residuals where it failed.
+struct FoundDecay {
+  DecayPoint point;
+  std::optional<DecayResiduals> residuals;
+  double sigma = 0.0;
+};
+
+// By Huber's loss, whose sigma is learned in turns.
+FoundDecay FindDecay(std::span<const DecayStretch> stretches,
+                     const FreeDecayOptions& options,
+                     double duration,
+                     double scale) {
+  constexpr int kMostPasses = 4;
+  FoundDecay found = {LeastSquares(stretches, options, duration, scale), {}, scale};
+  for (int pass = 0; pass <= kMostPasses; ++pass) {
+    found.residuals = DecayResidualsAt(found.point.unknowns, stretches, options.output);
+    if (!found.point.solve.converged) found.residuals.reset();
+    if (!found.residuals || pass == kMostPasses) break;
+    const double next = SigmaOf(found.residuals->residual, scale);
+    if (pass > 0 && std::abs(next - found.sigma) < 0.1 * found.sigma) break;
+    found.sigma = next;
+    found.point = SearchDecay(found.point.unknowns, stretches, options, next, options.huber_k);
+  }
+  return found;
+}
+
+void FillRates(std::span<const DecayStretch> stretches,
+               const FreeDecayOptions& options,
+               const FoundDecay& found,
+               FreeDecaySummary* summary) {
+  for (std::size_t rate = 0; rate < kNumDecayRates; ++rate) {
+    summary->rates[rate] = found.point.unknowns[static_cast<Eigen::Index>(rate)];
+  }
+  for (const int held : found.point.solve.held) {
+    summary->on_bound[static_cast<std::size_t>(held)] = true;
+  }
+  const DecayResiduals& residuals = *found.residuals;
+  summary->covariance = DecayCovariance(stretches,
+                                        residuals,
+                                        DecayUnknowns(stretches.size(), options).fixed(),
+                                        options.huber_k * found.sigma,
+                                        options.max_noise_order);
+  summary->rms = std::sqrt(residuals.residual.squaredNorm() / summary->num_samples);
+  summary->residuals = residuals.residual;
+  summary->largest_speed = residuals.largest_speed;
+  summary->smallest_speed = residuals.smallest_speed;
+}
+
 }  // namespace
 
 FreeDecaySummary FitFreeDecay(std::span<const DecayStretch> stretches,
                               const FreeDecayOptions& options) {
-  constexpr int kFewestPerUnknown = 3, kMostPasses = 4;
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr int kFewestPerUnknown = 3;
   if (const auto problems = options.Problems(); !problems.empty()) {
     throw InputError(
         fmt::format("The options of the free decay cannot be used: {}", fmt::join(problems, "; ")));
   }
   FreeDecaySummary summary;
-  double sum = 0.0, sum_of_squares = 0.0;
-  for (const DecayStretch& stretch : stretches) {
-    CHECK_EQ(stretch.time.size(), stretch.motion.size());
-    summary.num_samples += static_cast<int>(stretch.time.size());
-    if (!stretch.time.empty()) summary.duration += stretch.time.back() - stretch.time.front();
-    for (const double value : stretch.motion) {
-      sum += value;
-      sum_of_squares += value * value;
-    }
-  }
-  const DecayUnknowns unknowns(stretches.size(), options);
-  const int fewest = kFewestPerUnknown * unknowns.num_free();
+  const double scale = CountedSize(stretches, &summary);
+  const int fewest = kFewestPerUnknown * DecayUnknowns(stretches.size(), options).num_free();
   if (stretches.empty() || summary.num_samples < fewest) {
     summary.message = fmt::format(
         "The decay has only {} samples, expected at least {}.", summary.num_samples, fewest);
     return summary;
   }
-  const double scale = std::sqrt(sum_of_squares / summary.num_samples);
-  if (!(scale > 0.0) || !std::isfinite(sum)) {
+  if (!(scale > 0.0) || !std::isfinite(scale)) {
     summary.message = "Nothing decays: the motion is 0 throughout.";
     return summary;
   }
-
-  // From two starts, as the one of least squares may be biased far by noise.
-  Eigen::VectorXd start = DecayGuess(stretches, options);
-  DecayPoint found = SearchDecay(start, stretches, options, scale, kInfinite);
-  start[kLinearRate] = 3.0 * static_cast<double>(stretches.size()) / summary.duration;
-  start[kQuadraticRate] = 0.0;
-  const DecayPoint other = SearchDecay(start, stretches, options, scale, kInfinite);
-  if (!found.solve.converged || (other.solve.converged && other.solve.cost < found.solve.cost)) {
-    found = other;
-  }
-  auto residuals = DecayResidualsAt(found.unknowns, stretches, options.output);
-  double sigma = scale;
-  for (int pass = 0; pass < kMostPasses && residuals && found.solve.converged; ++pass) {
-    const double next = SigmaOf(residuals->residual, scale);
-    if (pass > 0 && std::abs(next - sigma) < 0.1 * sigma) break;
-    sigma = next;
-    found = SearchDecay(found.unknowns, stretches, options, sigma, options.huber_k);
-    residuals = DecayResidualsAt(found.unknowns, stretches, options.output);
-  }
-  if (!residuals || !found.solve.converged) {
-    summary.message = found.solve.message;
+  const FoundDecay found = FindDecay(stretches, options, summary.duration, scale);
+  if (!found.residuals) {
+    summary.message = found.point.solve.message;
     return summary;
   }
-
-  for (std::size_t rate = 0; rate < kNumDecayRates; ++rate) {
-    summary.rates[rate] = found.unknowns[static_cast<Eigen::Index>(rate)];
-  }
-  for (const int held : found.solve.held) {
-    summary.on_bound[static_cast<std::size_t>(held)] = true;
-  }
-  summary.covariance = DecayCovariance(
-      stretches, *residuals, unknowns.fixed(), options.huber_k * sigma, options.max_noise_order);
-  summary.rms = std::sqrt(residuals->residual.squaredNorm() / summary.num_samples);
-  summary.residuals = residuals->residual;
-  summary.largest_speed = residuals->largest_speed;
-  summary.smallest_speed = residuals->smallest_speed;
+  FillRates(stretches, options, found, &summary);
   const double middle = (summary.largest_speed + summary.smallest_speed) / 2.0;
   if (!Decays(summary, middle)) {
     summary.message =
