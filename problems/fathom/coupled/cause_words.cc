@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -140,6 +141,51 @@ std::string MissedWords(const CoupledDiagnosis& diagnosis,
                      fmt::join(missed, ", "));
 }
 
+// What to do about a cause; empty where the next run is all.
+std::string StepFor(const FreeEntry& entry) {
+  switch (entry.kind) {
+    case Kind::kThrustGain:
+      return fmt::format(
+          "Look at thruster {}: propeller, direction, wiring, and its position and coefficient in "
+          "the vehicle file.",
+          entry.actuator);
+    case Kind::kThrustAngle:
+      return "Look at what tells the heading, compass or IMU: by this angle it stands askew in the "
+             "vehicle, or is deflected. If it does not, the thrusters are turned.";
+    case Kind::kTimeOffset:
+      return "Compare the stamps of command and motion against one clock.";
+    case Kind::kThrusterLag:
+      return "Log the propellers' speed and use it in place of the command.";
+    case Kind::kRunOffset:
+      return fmt::format(
+          "Look at what was different in {}: ballast, trim, a tether, the neutral angle of a fin. "
+          "The other numbers hold without it.",
+          entry.actuator);
+    case Kind::kCurrent:
+      return fmt::format("The current is that of {} alone. The other numbers hold in still water.",
+                         entry.actuator);
+    case Kind::kFinLag:
+    case Kind::kFinRateLimit:
+      return fmt::format("Log the angle that fin {} has and use it in place of the command.",
+                         entry.actuator);
+    case Kind::kFinForce:
+    case Kind::kFinStuck:
+      return fmt::format(
+          "Look at fin {}: the fin itself, its servo, its linkage, and its area and axis in the "
+          "vehicle file.",
+          entry.actuator);
+    case Kind::kFinStall:
+      return fmt::format(
+          "Turn fin {} no further against the water than this angle: beyond, it steers no harder "
+          "and brakes. If that is early for its shape, look at its leading edge.",
+          entry.actuator);
+    case Kind::kFinNeutral:
+      return fmt::format("Set fin {} straight, or trim its servo by this angle.", entry.actuator);
+    default:
+      return IsEffect(entry) ? std::string(entry.effect->info().advice) : "";
+  }
+}
+
 }  // namespace
 
 std::string CauseSentence(const NamedEntry& cause, const std::string& force_unit) {
@@ -196,58 +242,9 @@ std::vector<std::string> CoupledNextSteps(const CoupledDiagnosis& diagnosis,
                                           const std::string& plan_command) {
   std::vector<std::string> steps;
   for (const NamedEntry& cause : diagnosis.causes) {
-    if (cause.entry.kind == Kind::kThrustGain) {
-      steps.push_back(fmt::format(
-          "Look at thruster {}: propeller, direction, wiring, and its position and coefficient in "
-          "the vehicle file.",
-          cause.entry.actuator));
-    }
-    if (cause.entry.kind == Kind::kThrustAngle) {
-      steps.push_back(
-          "Look at what tells the heading, compass or IMU: by this angle it stands askew in the "
-          "vehicle, or is deflected. If it does not, the thrusters are turned.");
-    }
-    if (cause.entry.kind == Kind::kTimeOffset) {
-      steps.push_back("Compare the stamps of command and motion against one clock.");
-    }
-    if (cause.entry.kind == Kind::kThrusterLag) {
-      steps.push_back("Log the propellers' speed and use it in place of the command.");
-    }
-    if (cause.entry.kind == Kind::kRunOffset) {
-      steps.push_back(
-          fmt::format("Look at what was different in {}: ballast, trim, a tether, the neutral "
-                      "angle of a fin. The other numbers hold without it.",
-                      cause.entry.actuator));
-    }
-    if (cause.entry.kind == Kind::kCurrent) {
-      const std::string step =
-          fmt::format("The current is that of {} alone. The other numbers hold in still water.",
-                      cause.entry.actuator);
-      if (std::ranges::count(steps, step) == 0) steps.push_back(step);  // once of north and east
-    }
-    if (IsEffect(cause.entry)) steps.emplace_back(cause.entry.effect->info().advice);
-    if (cause.entry.kind == Kind::kFinLag || cause.entry.kind == Kind::kFinRateLimit) {
-      steps.push_back(
-          fmt::format("Log the angle that fin {} has and use it in place of the command.",
-                      cause.entry.actuator));
-    }
-    if (cause.entry.kind == Kind::kFinForce || cause.entry.kind == Kind::kFinStuck) {
-      steps.push_back(
-          fmt::format("Look at fin {}: the fin itself, its servo, its linkage, and its area and "
-                      "axis in the vehicle file.",
-                      cause.entry.actuator));
-    }
-    if (cause.entry.kind == Kind::kFinStall) {
-      steps.push_back(
-          fmt::format("Turn fin {} no further against the water than this angle: beyond, it steers "
-                      "no harder and brakes. If that is early for its shape, look at its leading "
-                      "edge.",
-                      cause.entry.actuator));
-    }
-    if (cause.entry.kind == Kind::kFinNeutral) {
-      steps.push_back(fmt::format("Set fin {} straight, or trim its servo by this angle.",
-                                  cause.entry.actuator));
-    }
+    std::string step = StepFor(cause.entry);
+    // Once of a current's north and east.
+    if (!step.empty() && std::ranges::count(steps, step) == 0) steps.push_back(std::move(step));
     if (!cause.not_told_apart.empty() && plan_command.empty()) {
       steps.push_back(fmt::format(
           "To tell {} from the others, drive each thruster and each DOF alone, at several levels.",
