@@ -41,7 +41,7 @@ struct CoupledIdentification {
   std::vector<std::string> remarks;
 };
 
-// One model of several DOFs from one or several logs. The vehicle file that the first log names
+// One model of several DOFs from one or several logs. The first vehicle file that a log names
 // tells the rigid body and the thrusters.
 //
 // Throws InputError if the logs lack what CoupledDataOf() needs, differ in their command's unit, or

@@ -24,14 +24,14 @@ struct IdentificationTask {
   std::optional<std::string> unit_fin;  // whose force is the unit of all others: nothing known is
 };
 
-// The vehicle file that the first log names tells the rigid body, the thrusters, fins and shafts.
+// The first vehicle file that a log names tells the rigid body, the thrusters, fins and shafts.
 // Throws InputError if the logs lack what CoupledDataOf() needs or differ in their command's unit.
 IdentificationTask IdentificationTaskOf(std::vector<Log> logs,
                                         const std::vector<Dof>& dofs,
                                         const CoupledFitOptions& fit);
 
-// A structure of the task's DOFs, with these entries free too. Throws InputError, for what the logs
-// have nothing to be of.
+// A structure of the task's DOFs, with these entries free too. Throws InputError where the logs
+// have nothing for one of them to be of.
 MotionStructure StructureIn(const IdentificationTask& task,
                             StandardStructure standard,
                             const std::vector<FreeEntry>& also_free);
