@@ -113,6 +113,7 @@ ArchiveReport ReportOf(const BatchOptions& options,
   report.tables = std::move(tables);
   report.dives = summary.dives;
   report.other_files = summary.other_files;
+  report.nearly_logs = summary.nearly_logs;
   const std::string folder = options.pages.filename().string();
   for (const auto& [log_and_dof, page] : summary.pages) {
     report.pages[log_and_dof] = folder + "/" + page;

@@ -51,8 +51,10 @@ std::string HeaderHtml(const ArchiveReport& report, bool has_coupled) {
     html += fmt::format("<p class=\"lead change\">{}</p>\n", HtmlText(sentence));
   }
   html += fmt::format("<p class=\"lead logs\">{}</p>\n", HtmlText(LogsSentence(report)));
-  if (const auto without = DivesWithoutFitSentence(report.tables); !without.empty()) {
-    html += fmt::format("<p class=\"lead\">{}</p>\n", HtmlText(without));
+  for (const std::string& sentence :
+       {DivesWithoutFitSentence(report.tables), NearlyLogsSentence(report.nearly_logs)}) {
+    if (sentence.empty()) continue;
+    html += fmt::format("<p class=\"lead\">{}</p>\n", HtmlText(sentence));
   }
   // The archive stands for its logs.
   PageOrigin origin = report.origin;

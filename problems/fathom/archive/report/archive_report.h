@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "fathom/archive/dives/nearly_log.h"
 #include "fathom/archive/store/tables.h"
 #include "fathom/report/page_origin.h"
 
@@ -20,6 +21,7 @@ struct ArchiveReport {
   Tables tables;
   std::vector<std::string> dives;          // in their order
   std::map<std::string, int> other_files;  // files that are no logs, by their ending
+  std::vector<NearlyLog> nearly_logs;
   // Pages of the diagnoses, relative to the archive page, by (log, dof). May be empty.
   std::map<std::pair<std::string, std::string>, std::string> pages;
 };

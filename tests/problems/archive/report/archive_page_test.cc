@@ -44,6 +44,14 @@ TEST(ArchivePage, NamesDivesWithoutAJointFit) {
               Not(HasSubstr("no DOF has a usable joint fit")));
 }
 
+TEST(ArchivePage, NamesWhatIsNearlyALog) {
+  ArchiveReport report = ExampleArchive();
+  EXPECT_THAT(WithoutScripts(RenderArchivePage(report)), Not(HasSubstr("nearly")));
+  report.nearly_logs = {{"a<b.csv", "its first line does not name t, tau and v"}};
+  EXPECT_THAT(WithoutScripts(RenderArchivePage(report)),
+              HasSubstr("nearly a log: a&lt;b.csv (its first line does not name t, tau and v)."));
+}
+
 TEST(ArchivePage, ListsEveryLogThatGaveNoModelWithItsReason) {
   const ArchiveReport report = ExampleArchive();
   const std::string body = WithoutScripts(RenderArchivePage(report));
