@@ -18,13 +18,6 @@
 namespace fathom {
 namespace {
 
-std::optional<Vehicle> VehicleOfAll(const std::vector<Log>& logs) {
-  for (const Log& log : logs) {
-    if (auto vehicle = VehicleOf(log)) return vehicle;
-  }
-  return std::nullopt;
-}
-
 // As a fit takes them.
 CoupledLogs CoupledLogsOf(std::vector<Log> logs,
                           const std::vector<Dof>& dofs,
@@ -174,7 +167,7 @@ void HoldRigidInertia(const std::vector<Dof>& dofs, CoupledFitOptions* fit) {
 IdentificationTask IdentificationTaskOf(std::vector<Log> logs,
                                         const std::vector<Dof>& dofs,
                                         const CoupledFitOptions& fit) {
-  const std::optional<Vehicle> vehicle = VehicleOfAll(logs);
+  const std::optional<Vehicle> vehicle = FirstVehicleOf(logs);
   IdentificationTask task;
   task.logs = CoupledLogsOf(std::move(logs), dofs, vehicle);
   task.dofs = dofs;

@@ -7,6 +7,7 @@
 #include "fathom/base/quantile.h"
 #include "fathom/coupled_planning/kept_wrench.h"
 #include "fathom/planning/information.h"
+#include "fathom/simulate/coupled/attitude_angles.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 
@@ -169,7 +170,8 @@ bool ForecastMotion(const CoupledPlanRequest& request,
   plan->tilt = Quantile(tilts, 0.95);
   // Without a limit the bow may go round and round.
   if (std::isfinite(request.limits.heading)) {
-    plan->heading = BandOfStates(*nominal, runs, HeadingOf);
+    plan->heading = BandOfStates(
+        *nominal, runs, [](const CoupledState& state) { return UnwrappedHeading(state, 0.0); });
   }
   return true;
 }

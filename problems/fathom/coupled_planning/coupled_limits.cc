@@ -6,6 +6,7 @@
 #include "fathom/base/files/yaml_file.h"
 #include "fathom/base/files/yaml_numbers.h"
 #include "fathom/planning/plan_limits.h"
+#include "fathom/simulate/coupled/attitude_angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,17 +48,6 @@ bool IsWithin(double value, const ValueRange& range) {
 
 }  // namespace
 
-double TiltOf(const CoupledState& state) {
-  const Eigen::Vector4d& q = state.attitude;
-  // The cosine of half the angle is the length of (z, w).
-  return 2.0 * std::atan2(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-}
-
-double HeadingOf(const CoupledState& state) {
-  const Eigen::Vector4d& q = state.attitude;
-  return std::atan2(2.0 * (q[0] * q[1] + q[2] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]));
-}
-
 bool KeepsLimits(std::span<const CoupledState> run, const CoupledLimits& limits) {
   return std::all_of(run.begin(), run.end(), [&](const CoupledState& state) {
     for (std::size_t i = 0; i < 6; ++i) {
@@ -66,7 +56,7 @@ bool KeepsLimits(std::span<const CoupledState> run, const CoupledLimits& limits)
     for (std::size_t i = 0; i < 3; ++i) {
       if (!IsWithin(state.position[static_cast<Eigen::Index>(i)], limits.room[i])) return false;
     }
-    return TiltOf(state) <= limits.tilt && std::abs(HeadingOf(state)) <= limits.heading;
+    return TiltOf(state) <= limits.tilt && std::abs(UnwrappedHeading(state, 0.0)) <= limits.heading;
   });
 }
 

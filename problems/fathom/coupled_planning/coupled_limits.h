@@ -40,13 +40,6 @@ struct CoupledLimits {
       kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown};  // white [m/s] or [rad/s]
 };
 
-// The angle between the body's down and the world's [rad].
-double TiltOf(const CoupledState& state);
-
-// Between the body's x axis, seen from above, and the world's: -pi to pi, to starboard above 0
-// [rad].
-double HeadingOf(const CoupledState& state);
-
 // True if all states of a run from the origin stay within the limits.
 bool KeepsLimits(std::span<const CoupledState> run, const CoupledLimits& limits);
 

@@ -19,13 +19,6 @@
 namespace fathom {
 namespace {
 
-std::optional<Vehicle> FirstVehicle(const std::vector<Log>& logs) {
-  for (const Log& log : logs) {
-    if (auto vehicle = VehicleOf(log)) return vehicle;
-  }
-  return std::nullopt;
-}
-
 std::vector<Log> WithoutVelocity(std::vector<Log> logs) {
   for (Log& log : logs) {
     log.velocity.reset();
@@ -152,7 +145,7 @@ FilmRefinement RefineCoupled(const MarkerLogs& logs, const FilmRefinementOptions
         "the coupled fit of the PnP poses, where the search begins: " + of_poses.message;
     return refinement;
   }
-  const std::optional<Vehicle> vehicle = FirstVehicle(logs.logs);
+  const std::optional<Vehicle> vehicle = FirstVehicleOf(logs.logs);
   // A fin as the unit of force is not in kilograms.
   const bool is_in_known_unit = of_poses.fitted.force_unit == of_poses.data.front().force_unit;
   const RigidBody body = vehicle && is_in_known_unit ? vehicle->body : RigidBody();

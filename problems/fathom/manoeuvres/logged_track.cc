@@ -4,6 +4,7 @@
 #include "fathom/manoeuvres/logged_track.h"
 
 #include "fathom/base/dof.h"
+#include "fathom/simulate/coupled/attitude_angles.h"
 
 #include <algorithm>
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "error_from.h"
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -50,30 +49,6 @@ TEST(CoupledLimits, NameFileLineAndKeyOfWhatCannotBe) {
   EXPECT_EQ(CoupledRefusalOf("force: {surge: -2}\n").find("lake.yaml:1: key 'force.surge' is "),
             0U);
   EXPECT_NE(CoupledRefusalOf("force: {surge: 2, up: 3}\n").find("up"), std::string::npos);
-}
-
-// A roll of 0.4 rad leaves the down at that angle; so does the same turn about any level axis, and
-// a heading changes nothing.
-TEST(CoupledLimits, TiltIsTheAngleToTheUpright) {
-  const double half = 0.2;
-  EXPECT_NEAR(TiltOf({.attitude = {std::sin(half), 0.0, 0.0, std::cos(half)}}), 0.4, 1e-12);
-  EXPECT_NEAR(
-      TiltOf({.attitude = {0.6 * std::sin(half), 0.8 * std::sin(half), 0.0, std::cos(half)}}),
-      0.4,
-      1e-12);
-  EXPECT_NEAR(TiltOf({.attitude = {0.0, 0.0, std::sin(1.1), std::cos(1.1)}}), 0.0, 1e-12);
-}
-
-// By the rotation matrix of Eigen: where the body's x axis points, seen from above.
-TEST(CoupledLimits, HeadingIsWhereTheBowPoints) {
-  for (const double turn : {-3.0, -0.6, 0.0, 1.2}) {
-    const Eigen::Quaterniond attitude(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
-                                      Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitY()) *
-                                      Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitX()));
-    const Eigen::Vector3d bow = attitude * Eigen::Vector3d::UnitX();
-    EXPECT_NEAR(HeadingOf({.attitude = attitude.coeffs()}), std::atan2(bow.y(), bow.x()), 1e-12);
-    EXPECT_NEAR(HeadingOf({.attitude = attitude.coeffs()}), turn, 1e-12);
-  }
 }
 
 TEST(CoupledLimits, AreBrokenBySpeedRoomTiltAndHeadingAlike) {

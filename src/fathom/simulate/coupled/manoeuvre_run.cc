@@ -3,6 +3,7 @@
 
 #include "fathom/simulate/coupled/manoeuvre_run.h"
 
+#include "fathom/simulate/coupled/attitude_angles.h"
 #include "fathom/simulate/coupled/lagged.h"
 #include "fathom/simulate/coupled/steering.h"
 #include "fathom/simulate/coupled/steering_gear.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace fathom {
 namespace {
@@ -62,14 +62,6 @@ double RudderRate(const CoupledModel& model,
   const auto limit = model.fin_rate_limit.find(fins[*rudder].name);
   return limit == model.fin_rate_limit.end() ? options.rudder_rate
                                              : std::min(options.rudder_rate, limit->second);
-}
-
-double UnwrappedHeading(const CoupledState& state, double before) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const Eigen::Vector4d& q = state.attitude;
-  const double heading =
-      std::atan2(2.0 * (q[3] * q[2] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]));
-  return heading - kTurn * std::round((heading - before) / kTurn);
 }
 
 std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,

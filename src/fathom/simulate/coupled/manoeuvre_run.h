@@ -50,7 +50,4 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
                                            const Manoeuvre& manoeuvre,
                                            const ManoeuvreOptions& options);
 
-// The heading of an attitude, to starboard, by the turn that is nearest to `before` [rad].
-double UnwrappedHeading(const CoupledState& state, double before);
-
 }  // namespace fathom

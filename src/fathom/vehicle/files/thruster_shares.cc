@@ -45,6 +45,13 @@ std::optional<Vehicle> VehicleOf(const Log& log) {
   return ReadVehicleFile(file);
 }
 
+std::optional<Vehicle> FirstVehicleOf(std::span<const Log> logs) {
+  for (const Log& log : logs) {
+    if (auto vehicle = VehicleOf(log)) return vehicle;
+  }
+  return std::nullopt;
+}
+
 std::map<std::string, double> ThrusterSharesOf(std::span<const Log> logs, Dof dof) {
   std::map<std::string, double> shares;
   double whole = 0.0;

@@ -18,6 +18,9 @@ namespace fathom {
 // InputError for a file that breaks the format.
 std::optional<Vehicle> VehicleOf(const Log& log);
 
+// The same of the first log that has one.
+std::optional<Vehicle> FirstVehicleOf(std::span<const Log> logs);
+
 // How much of the force that was commanded along a DOF each thruster had to give, by its name:
 // the slope of its part over the whole, by least squares over the commands of all logs, each for
 // as long as it held.
