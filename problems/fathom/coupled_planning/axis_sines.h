@@ -5,7 +5,7 @@
 
 #include "fathom/coupled_planning/coupled_limits.h"
 #include "fathom/coupled_planning/wrench_allocation.h"
-#include "fathom/coupled_planning/wrench_block.h"
+#include "fathom/planning/wrench_block.h"
 #include "fathom/vehicle/coupled/coupled_model.h"
 
 #include <optional>

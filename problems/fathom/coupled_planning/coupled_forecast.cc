@@ -109,27 +109,28 @@ void ForecastEntries(std::span<const CoupledModel> models,
 }
 
 void ForecastSeparations(std::span<const CoupledModel> models,
-                         const WrenchTask& task,
+                         const WrenchQuestion& question,
                          CoupledPlan* plan) {
-  const auto size = static_cast<Eigen::Index>(task.entries.size());
+  const auto size = static_cast<Eigen::Index>(question.entries.size());
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size);
   std::vector<std::vector<double>> of_plan(models.size()), of_sine(of_plan);
   ParallelFor(static_cast<int>(models.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    WrenchInformation information(models[at], task.entries, task.measurement);
+    WrenchInformation information(models[at], question.entries, question.measurement);
     const auto sigmas_under = [&](const CoupledCommand& command) {
-      return SigmasOf(
-          task.rivals, task.so_far.rows(), information.Of(command, plan->duration).value_or(none));
+      return SigmasOf(question.rivals,
+                      question.so_far.rows(),
+                      information.Of(command, plan->duration).value_or(none));
     };
     of_plan[at] = sigmas_under(plan->command);
     of_sine[at] = sigmas_under(plan->sine);
   });
   const auto name_at = [&](Eigen::Index row) {
-    return NameOf(task.entries[static_cast<std::size_t>(row)]);
+    return NameOf(question.entries[static_cast<std::size_t>(row)]);
   };
-  for (std::size_t k = 0; k < task.rivals.size(); ++k) {
-    plan->separations.push_back({.truth = name_at(task.rivals[k].truth),
-                                 .assumed = name_at(task.rivals[k].assumed),
+  for (std::size_t k = 0; k < question.rivals.size(); ++k) {
+    plan->separations.push_back({.truth = name_at(question.rivals[k].truth),
+                                 .assumed = name_at(question.rivals[k].assumed),
                                  .sigmas = MedianAt(of_plan, k),
                                  .sine = MedianAt(of_sine, k)});
   }

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "fathom/coupled_planning/coupled_plan.h"
+#include "fathom/coupled_planning/wrench_judge.h"
 #include "fathom/coupled_planning/wrench_run.h"
-#include "fathom/coupled_planning/wrench_search.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 
 #include <span>
@@ -33,7 +33,7 @@ void ForecastEntries(std::span<const CoupledModel> models,
 
 // How well the command of the plan and its sine tell rivals apart: the middle of what `models` say.
 void ForecastSeparations(std::span<const CoupledModel> models,
-                         const WrenchTask& task,
+                         const WrenchQuestion& question,
                          CoupledPlan* plan);
 
 // What the model will do under the command of the plan, and how many of `others` break a limit.

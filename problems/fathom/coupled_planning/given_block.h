@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/coupled_planning/wrench_allocation.h"
-#include "fathom/coupled_planning/wrench_block.h"
+#include "fathom/planning/wrench_block.h"
 
 #include <vector>
 

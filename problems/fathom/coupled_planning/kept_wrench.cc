@@ -3,7 +3,6 @@
 
 #include "fathom/coupled_planning/kept_wrench.h"
 
-#include "fathom/planning/plan_search.h"
 #include "fathom/planning/planned_motion.h"
 
 #include <algorithm>

@@ -4,19 +4,22 @@
 #include "fathom/coupled_planning/plan_coupled.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/parallel_for.h"
 #include "fathom/coupled_planning/axis_sines.h"
 #include "fathom/coupled_planning/coupled_forecast.h"
 #include "fathom/coupled_planning/coupled_noise.h"
 #include "fathom/coupled_planning/drawn_coupled_models.h"
 #include "fathom/coupled_planning/flown_entries.h"
 #include "fathom/coupled_planning/kept_wrench.h"
+#include "fathom/coupled_planning/wrench_judge.h"
 #include "fathom/coupled_planning/wrench_run.h"
-#include "fathom/coupled_planning/wrench_search.h"
 #include "fathom/coupled_planning/wrench_thrusters.h"
+#include "fathom/planning/command_search.h"
 #include "fathom/planning/information.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -33,10 +36,10 @@ constexpr int kNumCoupledInSearch = 20;
 constexpr int kNumCoupledInForecast = 9;  // the fit's own along
 constexpr int kNumCoupledInCheck = 200;
 constexpr double kShareOfCoupled = 0.05;  // of the models that may break a limit
-constexpr int kNumCoupledTrials = 3;      // with limits narrower from one to the next
-constexpr double kNarrowerForNext = 0.9;
-constexpr int kFewerMovesForNext = 4;  // so that planning takes seconds still
-constexpr double kWeightSoFar = 0.03;  // w of docs/plan.md (2)
+constexpr int kNumCoupledStarts = 2;
+constexpr int kCoupledPerBlock = 8;         // of which the best is taken
+constexpr int kCoupledMovesOverStarts = 5;  // moves of the best start over those of each
+constexpr double kWeightSoFar = 0.03;       // w of docs/plan.md (2)
 
 // How many columns of sensitivities are integrated in all, so that planning takes seconds.
 constexpr double kCoupledWork = 7e5;  // [s]
@@ -127,31 +130,47 @@ ToldEntries EntriesToTell(const CoupledPlanRequest& request, const CoupledPlan& 
 }
 
 // The rivals of the request, both ways. The sines stand for the log so far, which is not at hand.
-void AddRivals(const CoupledPlanRequest& request, const CoupledPlan& plan, WrenchTask* task) {
+void AddRivals(const CoupledPlanRequest& request,
+               const CoupledPlan& plan,
+               WrenchQuestion* question) {
   if (request.rivals.empty()) return;
-  task->rivals = PlaceRivals(request.rivals, &task->entries);
-  WrenchInformation information(request.model.model, task->entries, task->measurement);
+  question->rivals = PlaceRivals(request.rivals, &question->entries);
+  WrenchInformation information(request.model.model, question->entries, question->measurement);
   const auto of_sines = information.Of(plan.sine, plan.duration);
-  if (of_sines) task->rivals = BothWays(task->rivals, task->so_far.rows(), *of_sines);
+  if (of_sines) question->rivals = BothWays(question->rivals, question->so_far.rows(), *of_sines);
 }
 
-WrenchTask TaskOfWrench(const CoupledPlanRequest& request,
-                        const CoupledPlan& plan,
-                        const ToldEntries& told) {
-  WrenchTask task;
-  task.axes = plan.axes;
-  task.thrusters = plan.thrusters;
-  task.limits = request.limits;
-  task.duration = plan.duration;
-  task.seed = request.seed;
-  task.entries = told.entries;
-  task.so_far = kWeightSoFar * InverseOf(told.covariance) + told.flown;
-  task.measurement = MeasurementFor(request, plan);
-  AddRivals(request, plan, &task);
+// What is asked of commands.
+WrenchQuestion QuestionOfWrench(const CoupledPlanRequest& request,
+                                const CoupledPlan& plan,
+                                const ToldEntries& told) {
+  WrenchQuestion question;
+  question.axes = plan.axes;
+  question.thrusters = plan.thrusters;
+  question.limits = request.limits;
+  question.duration = plan.duration;
+  question.entries = told.entries;
+  question.so_far = kWeightSoFar * InverseOf(told.covariance) + told.flown;
+  question.measurement = MeasurementFor(request, plan);
+  AddRivals(request, plan, &question);
+  return question;
+}
+
+// How much is searched.
+CommandTask TaskOfWrench(const CoupledPlanRequest& request, const WrenchQuestion& question) {
   const auto num_columns =
-      static_cast<double>(NumCoupledColumns(request.model.model, task.entries));
-  const double moves = std::min(kMostCoupledMoves, kCoupledWork / (plan.duration * num_columns));
+      static_cast<double>(NumCoupledColumns(request.model.model, question.entries));
+  const double moves =
+      std::min(kMostCoupledMoves, kCoupledWork / (question.duration * num_columns));
+  CommandTask task;
+  task.axes = question.axes;
+  task.hold = request.limits.shortest_hold;
+  task.duration = question.duration;
+  task.num_starts = kNumCoupledStarts;
+  task.drawn_per_block = kCoupledPerBlock;
   task.num_moves = std::max(10, static_cast<int>(request.effort * moves));
+  task.num_moves_of_start = task.num_moves / kCoupledMovesOverStarts;
+  task.seed = request.seed;
   return task;
 }
 
@@ -177,46 +196,42 @@ void TakeUsableForces(const CoupledModel& model,
   }
 }
 
-CoupledLimits Narrowed(CoupledLimits limits) {
-  for (double& speed : limits.speed) speed *= kNarrowerForNext;
-  for (ValueRange& range : limits.room) {
-    range = {kNarrowerForNext * range.low, kNarrowerForNext * range.high};
+// Whether nearly all models keep the limits under a command.
+bool AreKeptByMost(const std::vector<CoupledModel>& models,
+                   const CoupledCommand& command,
+                   const CoupledLimits& limits,
+                   double duration) {
+  constexpr std::size_t kGroup = 20;  // asked at once
+  const double most = kShareOfCoupled * static_cast<double>(models.size());
+  const std::vector<double> stamps = LimitStamps(duration);
+  std::atomic<int> num_breaking = 0;
+  for (std::size_t first = 0; first < models.size() && num_breaking <= most; first += kGroup) {
+    const std::size_t count = std::min(kGroup, models.size() - first);
+    ParallelFor(static_cast<int>(count), [&](int i) {
+      const auto run = WrenchMotion(models[first + static_cast<std::size_t>(i)], command, stamps);
+      if (!run || !KeepsLimits(*run, limits)) ++num_breaking;
+    });
   }
-  limits.tilt *= kNarrowerForNext;
-  limits.heading *= kNarrowerForNext;
-  return limits;
-}
-
-// The last of the commands that a search came by under which 95 % of `others` keep the limits,
-// gone back by one, two, four ... False if none does.
-bool FillBlocksFrom(FoundWrench found,
-                    const CoupledPlanRequest& request,
-                    const std::vector<CoupledModel>& others,
-                    CoupledPlan* plan) {
-  found.before.push_back(std::move(found.blocks));
-  const auto last = static_cast<std::ptrdiff_t>(found.before.size()) - 1;
-  for (std::ptrdiff_t back = 0; back <= last; back = 2 * back + 1) {
-    plan->blocks = found.before[static_cast<std::size_t>(last - back)];
-    plan->command = CommandOf(plan->axes, plan->blocks, request.limits.shortest_hold);
-    if (!ForecastMotion(request, others, plan)) return false;
-    if (plan->share_breaking <= kShareOfCoupled) return true;
-  }
-  return false;
+  return num_breaking <= most;
 }
 
 // Searches until 95 % of `others` keep the limits. False if no command does.
 bool FillBlocks(const CoupledPlanRequest& request,
                 const std::vector<CoupledModel>& others,
-                WrenchTask task,
+                const WrenchQuestion& question,
                 CoupledPlan* plan) {
-  for (int trial = 0; trial < kNumCoupledTrials; ++trial) {
-    FoundWrench found = SearchWrench(task);
-    if (found.blocks.empty()) return false;
-    if (FillBlocksFrom(std::move(found), request, others, plan)) return true;
-    task.limits = Narrowed(task.limits);
-    task.num_moves /= kFewerMovesForNext;
-  }
-  return false;
+  CommandTask task = TaskOfWrench(request, question);
+  const auto command_of = [&](const std::vector<WrenchBlock>& blocks) {
+    return CommandOf(task.axes, blocks, task.hold);
+  };
+  task.judge = [&](double share) { return WrenchJudge(question, share); };
+  task.is_kept_by_others = [&](const std::vector<WrenchBlock>& blocks) {
+    return AreKeptByMost(others, command_of(blocks), request.limits, plan->duration);
+  };
+  plan->blocks = SearchCommand(task).blocks;
+  if (plan->blocks.empty()) return false;
+  plan->command = command_of(plan->blocks);
+  return ForecastMotion(request, others, plan);
 }
 
 }  // namespace
@@ -249,16 +264,16 @@ CoupledPlan PlanCoupledExperiment(const CoupledPlanRequest& as_fitted) {
       request.model.model, plan.axes, request.limits, plan.thrusters, plan.duration);
   plan.sine = std::move(sines.command);
   plan.sine_amplitude = std::move(sines.amplitude);
-  WrenchTask task = TaskOfWrench(request, plan, told);
-  task.models = std::move(models);
-  if (!FillBlocks(request, others, task, &plan)) {
+  WrenchQuestion question = QuestionOfWrench(request, plan, told);
+  question.models = std::move(models);
+  if (!FillBlocks(request, others, question, &plan)) {
     plan.message = kNoCommandKeepsLimits;
     return plan;
   }
-  const auto forecast = std::span(task.models).first(kNumCoupledInForecast);
-  ForecastEntries(forecast, told, task.measurement, &plan);
+  const auto forecast = std::span(question.models).first(kNumCoupledInForecast);
+  ForecastEntries(forecast, told, question.measurement, &plan);
   if (!request.rivals.empty()) {
-    ForecastSeparations(forecast, task, &plan);
+    ForecastSeparations(forecast, question, &plan);
   }
   for (const FreeEntry& entry : request.model.entries) {
     if (IsLeftOut(entry)) plan.left_out.push_back(NameOf(entry));

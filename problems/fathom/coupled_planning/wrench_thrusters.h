@@ -5,7 +5,7 @@
 
 #include "fathom/coupled_planning/coupled_plan.h"
 #include "fathom/coupled_planning/wrench_allocation.h"
-#include "fathom/coupled_planning/wrench_block.h"
+#include "fathom/planning/wrench_block.h"
 
 #include <optional>
 #include <vector>

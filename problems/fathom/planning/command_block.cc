@@ -112,15 +112,6 @@ std::vector<double> ForcesOf(const CommandBlock& block) {
   return MultisineForces(block);
 }
 
-std::vector<double> ForcesOf(const std::vector<CommandBlock>& blocks) {
-  std::vector<double> forces;
-  for (const CommandBlock& block : blocks) {
-    const std::vector<double> part = ForcesOf(block);
-    forces.insert(forces.end(), part.begin(), part.end());
-  }
-  return forces;
-}
-
 HeldCommand CommandOfCells(const std::vector<double>& forces, double hold) {
   HeldCommand command;
   for (std::size_t cell = 0; cell <= forces.size(); ++cell) {

@@ -48,10 +48,8 @@ CommandBlock DrawBlock(const BlockRange& range, int num_cells, RandomStream& ran
 // The force in each of its cells.
 std::vector<double> ForcesOf(const CommandBlock& block);
 
-// Of blocks one after the other.
-std::vector<double> ForcesOf(const std::vector<CommandBlock>& blocks);
-
-// The same as a command from t = 0 on; a cell lasts `hold` seconds. No force behind the last one.
+// Forces of cells as a command from t = 0 on; a cell lasts `hold` seconds. No force behind the last
+// one.
 HeldCommand CommandOfCells(const std::vector<double>& forces, double hold);
 
 }  // namespace fathom

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "fathom/planning/command_block.h"
 #include "fathom/planning/ordinary_sine.h"
 #include "fathom/planning/plan_limits.h"
+#include "fathom/planning/wrench_block.h"
 
 #include <limits>
 #include <string>
@@ -62,7 +62,7 @@ struct ExperimentPlan {
   bool IsUsable() const { return message.empty(); }
   std::string message = "PlanExperiment() was not called.";
 
-  std::vector<CommandBlock> blocks;
+  std::vector<WrenchBlock> blocks;
   HeldCommand command;    // from t = 0 on
   double force = 0.0;     // greatest that was tried: UsableForce() [N] or [N m]
   double duration = 0.0;  // [s], of whole cells

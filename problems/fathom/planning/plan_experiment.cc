@@ -3,11 +3,13 @@
 
 #include "fathom/planning/plan_experiment.h"
 
+#include "fathom/planning/command_search.h"
 #include "fathom/planning/drawn_models.h"
+#include "fathom/planning/kept_limits.h"
 #include "fathom/planning/leading_rival.h"
+#include "fathom/planning/one_dof_judge.h"
 #include "fathom/planning/plan_forecast.h"
 #include "fathom/planning/plan_measures.h"
-#include "fathom/planning/plan_search.h"
 #include "fathom/planning/rival_separation.h"
 
 #include <algorithm>
@@ -38,35 +40,6 @@ constexpr double kWork = 6e6;            // without rivals
 constexpr double kWorkWithRivals = 6e6;  // over the runs that a measure takes
 constexpr double kMostMoves = 8000.0;    // a short command needs no more
 
-// The search for the best command, but for the models that must keep the limits.
-CommandTask TaskOf(const PlanRequest& request,
-                   double duration,
-                   double period,
-                   const StampNoise& noise) {
-  CommandTask task;
-  task.dof = request.model.dof;
-  task.limits = request.limits;
-  task.limits.force =
-      UsableForce(request.model.Extended(), request.model.dof, request.limits, period);
-  task.duration = duration;
-  task.period = period;
-  task.seed = request.seed;
-  task.holding_force =
-      std::clamp(request.model.model.buoyancy, -request.limits.force, request.limits.force);
-  const auto num_rivals = static_cast<double>(request.rivals.size());
-  const double work =
-      request.rivals.empty() ? kWork : kWorkWithRivals / (num_rivals * (num_rivals + 2.0));
-  const double num_moves = std::min(kMostMoves, work / (duration / period));
-  task.num_moves = static_cast<int>(request.effort * num_moves);
-  const int most_starts = request.rivals.empty() ? kNumStarts : kNumStartsWithRivals;
-  const double shorter = std::min(1.0, kLongRun / duration);
-  task.num_starts = std::max(1, static_cast<int>(request.effort * shorter * most_starts));
-  task.drawn_per_block = request.rivals.empty() ? kDrawnPerBlock : kDrawnPerBlockWithRivals;
-  task.measure = request.rivals.empty() ? InformationMeasure(request, noise)
-                                        : SeparationMeasure(request, request.rivals, noise);
-  return task;
-}
-
 // The stamps of a run, without and with the coast behind it, and the noise of a velocity at them.
 struct RunStamps {
   double period = 0.0;
@@ -92,27 +65,71 @@ RunStamps StampsOf(const PlanRequest& request,
   return stamps;
 }
 
+// How much is searched, and along which axis.
+CommandTask TaskOf(const PlanRequest& request, const RunStamps& stamps, double duration) {
+  const Dof dof = request.model.dof;
+  const double most = request.limits.force;
+  CommandTask task;
+  task.axes = {{dof,
+                UsableForce(request.model.Extended(), dof, request.limits, stamps.period),
+                std::clamp(request.model.model.buoyancy, -most, most)}};
+  task.hold = request.limits.shortest_hold;
+  task.duration = duration;
+  task.seed = request.seed;
+  const auto num_rivals = static_cast<double>(request.rivals.size());
+  const double work =
+      request.rivals.empty() ? kWork : kWorkWithRivals / (num_rivals * (num_rivals + 2.0));
+  const double num_moves = std::min(kMostMoves, work / (duration / stamps.period));
+  task.num_moves = static_cast<int>(request.effort * num_moves);
+  const int most_starts = request.rivals.empty() ? kNumStarts : kNumStartsWithRivals;
+  const double shorter = std::min(1.0, kLongRun / duration);
+  task.num_starts = std::max(1, static_cast<int>(request.effort * shorter * most_starts));
+  task.num_moves_of_start = task.num_moves / task.num_starts;
+  task.drawn_per_block = request.rivals.empty() ? kDrawnPerBlock : kDrawnPerBlockWithRivals;
+  return task;
+}
+
+// What is asked of commands.
+OneDofQuestion QuestionOf(const PlanRequest& request, const RunStamps& stamps, double duration) {
+  return {.dof = request.model.dof,
+          .limits = request.limits,
+          .duration = duration,
+          .period = stamps.period,
+          .models = {},
+          .measure = request.rivals.empty()
+                         ? InformationMeasure(request, stamps.noise)
+                         : SeparationMeasure(request, request.rivals, stamps.noise)};
+}
+
 // Fills the plan of a request with its leader. False if no command keeps the limits.
 bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPlan* plan) {
   RandomStream random(request.seed, "planning.models");
-  CommandTask task = TaskOf(request, plan->duration, stamps.period, stamps.noise);
+  OneDofQuestion question = QuestionOf(request, stamps, plan->duration);
   FittedModel wider = request.model;
   wider.covariance *= kWiderInSearch;
-  task.models = DrawModels(wider,
-                           request.rivals.empty() ? kNumModelsInSearch : kNumModelsBesideRivals,
-                           request.name,
-                           random);
+  question.models = DrawModels(wider,
+                               request.rivals.empty() ? kNumModelsInSearch : kNumModelsBesideRivals,
+                               request.name,
+                               random);
   const std::vector<ExtendedModel> others =
       DrawModels(request.model, kNumModelsInCheck, request.name, random);
   const int most = static_cast<int>(kShareAllowed * kNumModelsInCheck);
-  task.is_kept_by_others = [&](const HeldCommand& command) {
-    return NumBreaking(others, task.dof, command, stamps.and_after, request.limits, most) <= most;
+  const double hold = request.limits.shortest_hold;
+  const auto command_of = [hold](const std::vector<WrenchBlock>& blocks) {
+    return CommandOfCells(ForcesAlong(blocks, 0), hold);
+  };
+  CommandTask task = TaskOf(request, stamps, plan->duration);
+  task.judge = [&](double share) { return OneDofJudge(question, share); };
+  task.is_kept_by_others = [&](const std::vector<WrenchBlock>& blocks) {
+    return NumBreaking(
+               others, question.dof, command_of(blocks), stamps.and_after, request.limits, most) <=
+           most;
   };
   FoundCommand found = SearchCommand(task);
   if (found.blocks.empty()) return false;
   plan->blocks = std::move(found.blocks);
-  plan->force = task.limits.force;
-  plan->command = CommandOfCells(ForcesOf(plan->blocks), request.limits.shortest_hold);
+  plan->force = task.axes.front().force;
+  plan->command = command_of(plan->blocks);
   if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
   plan->sine = LargestOrdinarySine(request, plan->duration, stamps.during);
   ForecastParameters(request, others, stamps.during, stamps.noise, plan);

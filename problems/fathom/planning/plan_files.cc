@@ -29,11 +29,12 @@ Json LimitsJson(const PlanLimits& limits) {
 Json BlocksJson(const ExperimentPlan& plan, double hold) {
   Json blocks = Json::array();
   int cell = 0;
-  for (const CommandBlock& block : plan.blocks) {
-    blocks.push_back({{"kind", Name(block.kind)},
+  for (const WrenchBlock& block : plan.blocks) {
+    const CommandBlock& along = block.along.front();
+    blocks.push_back({{"kind", Name(along.kind)},
                       {"from", cell * hold},
                       {"to", (cell + block.num_cells) * hold},
-                      {"level", block.level}});
+                      {"level", along.level}});
     cell += block.num_cells;
   }
   return blocks;

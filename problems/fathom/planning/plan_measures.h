@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "fathom/planning/one_dof_judge.h"
 #include "fathom/planning/plan_request.h"
-#include "fathom/planning/plan_search.h"
 #include "fathom/planning/stamp_noise.h"
 
 #include <vector>

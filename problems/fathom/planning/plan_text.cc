@@ -4,7 +4,7 @@
 #include "fathom/planning/plan_text.h"
 
 #include "fathom/base/interval95.h"
-#include "fathom/planning/plan_search.h"
+#include "fathom/planning/planned_motion.h"
 #include "fathom/planning/thruster_text.h"
 #include "fathom/report/format_value.h"
 #include "fathom/vehicle/parameters.h"

@@ -3,6 +3,8 @@
 
 #include "fathom/planning/command_block.h"
 
+#include "fathom/planning/wrench_block.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,10 +53,10 @@ TEST(CommandBlock, IsWhatItsNameSays) {
 }
 
 TEST(CommandBlock, OneAfterTheOtherMakeACommand) {
-  const std::vector<CommandBlock> blocks = {
-      {.kind = BlockKind::kStep, .num_cells = 2, .level = 3.0},
-      {.kind = BlockKind::kCoast, .num_cells = 1}};
-  const HeldCommand command = CommandOfCells(ForcesOf(blocks), 0.5);
+  const std::vector<WrenchBlock> blocks = {
+      {2, {{.kind = BlockKind::kStep, .num_cells = 2, .level = 3.0}}},
+      {1, {{.kind = BlockKind::kCoast, .num_cells = 1}}}};
+  const HeldCommand command = CommandOfCells(ForcesAlong(blocks, 0), 0.5);
   EXPECT_EQ(command.time, (std::vector<double>{0.0, 0.5, 1.0, 1.5}));
   EXPECT_EQ(command.value, (std::vector<double>{3.0, 3.0, 0.0, 0.0}));
 }

@@ -7,6 +7,7 @@
 #include "fathom/planning/command_block.h"
 #include "fathom/simulate/coupled/coupled_inputs.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace fathom {
@@ -34,6 +35,9 @@ WrenchBlock DrawWrenchBlock(const std::vector<WrenchAxis>& axes,
                             RandomStream& random);
 
 int NumCells(const std::vector<WrenchBlock>& blocks);
+
+// The force along one of the axes in each cell.
+std::vector<double> ForcesAlong(const std::vector<WrenchBlock>& blocks, std::size_t axis);
 
 // As a command from t = 0 on; a cell lasts `hold` seconds. No force behind the last one.
 CoupledCommand CommandOf(const std::vector<WrenchAxis>& axes,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/coupled_planning/wrench_block.h"
+#include "fathom/planning/wrench_block.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -39,6 +39,9 @@ WrenchBlock DrawWrenchBlock(const std::vector<WrenchAxis>& axes,
                             int num_cells,
                             int longest_hold,
                             RandomStream& random) {
+  if (axes.size() == 1) {
+    return {num_cells, {DrawBlock({axes.front().force, longest_hold}, num_cells, random)}};
+  }
   WrenchBlock block = HeldBlock(axes, num_cells);
   std::vector<std::size_t> order(axes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -58,17 +61,22 @@ int NumCells(const std::vector<WrenchBlock>& blocks) {
   return sum;
 }
 
+std::vector<double> ForcesAlong(const std::vector<WrenchBlock>& blocks, std::size_t axis) {
+  std::vector<double> forces;
+  for (const WrenchBlock& block : blocks) {
+    const std::vector<double> part = ForcesOf(block.along[axis]);
+    forces.insert(forces.end(), part.begin(), part.end());
+  }
+  return forces;
+}
+
 CoupledCommand CommandOf(const std::vector<WrenchAxis>& axes,
                          const std::vector<WrenchBlock>& blocks,
                          double hold) {
   CoupledCommand command;
   command.force.assign(static_cast<std::size_t>(NumCells(blocks)) + 1, Vector6::Zero());
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-    std::vector<double> forces;
-    for (const WrenchBlock& block : blocks) {
-      const std::vector<double> part = ForcesOf(block.along[axis]);
-      forces.insert(forces.end(), part.begin(), part.end());
-    }
+    const std::vector<double> forces = ForcesAlong(blocks, axis);
     HeldCommand of_axis = CommandOfCells(forces, hold);
     for (std::size_t i = 0; i < forces.size(); ++i) {
       command.force[i][Index(axes[axis].dof)] = forces[i];

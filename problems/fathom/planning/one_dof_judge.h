@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Fathom authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "fathom/planning/command_judge.h"
+#include "fathom/planning/plan_limits.h"
+#include "fathom/vehicle/extended_model.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fathom {
+
+// How much a command is worth; minus infinity: nothing. Without stamps: what no command is worth.
+using CommandMeasure =
+    std::function<double(const HeldCommand& command, std::span<const double> stamps)>;
+
+struct OneDofQuestion {
+  Dof dof = Dof::kSurge;
+  PlanLimits limits;
+  double duration = 0.0;              // of the plan [s]
+  double period = 0.1;                // of the stamps at which motion is looked at [s]
+  std::vector<ExtendedModel> models;  // that must keep the limits, all of them: one at least
+  CommandMeasure measure;
+};
+
+// Judges commands of one axis. The limits of speed and distance are multiplied by `share`.
+std::unique_ptr<CommandJudge> OneDofJudge(const OneDofQuestion& question, double share);
+
+}  // namespace fathom
