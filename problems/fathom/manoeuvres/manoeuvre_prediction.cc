@@ -249,8 +249,9 @@ std::string GearSentence(const ManoeuvrePrediction& report) {
   if (report.manoeuvre.kind != Manoeuvre::Kind::kZigzag) return fmt::format("{}.{}", text, on_gear);
   text += fmt::format(", {:.2f} s after the heading reaches the order", report.rudder_delay);
   if (report.gear && report.gear->IsZigzag() && report.rudder_delay == report.gear->delay) {
-    text += fmt::format(" (measured: {} strokes, {:.2f} to {:.2f} s)",
+    text += fmt::format(" (measured: {} strokes at {:g} degrees, {:.2f} to {:.2f} s)",
                         report.gear->num_strokes,
+                        report.gear->heading * 180.0 / std::numbers::pi,
                         report.gear->least_delay,
                         report.gear->most_delay);
   }

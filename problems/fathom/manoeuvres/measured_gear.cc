@@ -20,6 +20,7 @@ constexpr double kOver = 0.8;   // of the largest angle: the rudder is over
 constexpr double kSlope = 0.6;  // of it: between these on either side the slope is taken
 constexpr std::array kUsualOrders = {
     1.0, 2.0, 3.0, 5.0, 7.5, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 60.0};  // [deg]
+constexpr double kHeadingNoise = 0.25;                  // of a measured heading, at most [deg]
 constexpr double kWildShare = 0.5, kWildDegrees = 1.0;  // beyond the order, at most, of a zigzag
 
 // From one side to the other, side 1 being starboard.
@@ -61,6 +62,11 @@ std::vector<Stroke> StrokesOf(const ManoeuvreTrack& logged,
   return strokes;
 }
 
+// From one to the next [s].
+double SampleOf(const ManoeuvreTrack& logged) {
+  return (logged.time.back() - logged.time.front()) / static_cast<double>(logged.time.size());
+}
+
 double HeadingAt(const ManoeuvreTrack& logged, double t) {
   const auto next = std::ranges::lower_bound(logged.time, t);
   if (next == logged.time.begin()) return logged.heading.front();
@@ -92,11 +98,16 @@ void AddZigzag(const ManoeuvreTrack& logged,
   }
   const double course = CourseOf(strokes, headings);
   if (!std::isfinite(course)) return;
+  const double sample = SampleOf(logged);
   double least = kRightAngleDegrees, most = 0.0;
   for (std::size_t k = 0; k < strokes.size(); ++k) {
-    const double beyond = strokes[k].from_side * (headings[k] - course) / kInDegrees;
-    least = std::min(least, beyond);
-    most = std::max(most, beyond);
+    const auto beyond = [&](double heading) {
+      return strokes[k].from_side * (heading - course) / kInDegrees;
+    };
+    // A rudder that goes over from one sample to the next seems to begin between them: by the later
+    // one its order was reached.
+    least = std::min(least, beyond(HeadingAt(logged, begins[k] + sample)) + kHeadingNoise);
+    most = std::max(most, beyond(headings[k]));
   }
   const auto above = std::ranges::upper_bound(kUsualOrders, least);
   if (above == kUsualOrders.begin()) return;
@@ -104,7 +115,8 @@ void AddZigzag(const ManoeuvreTrack& logged,
   if (most > (1.0 + kWildShare) * order + kWildDegrees) return;
   std::vector<double> delays;
   for (std::size_t k = 0; k < strokes.size(); ++k) {
-    const auto end = std::ranges::lower_bound(logged.time, begins[k]) - logged.time.begin();
+    const auto end =
+        std::ranges::lower_bound(logged.time, begins[k] + sample) - logged.time.begin();
     const double reached =
         LastReaching(logged.time,
                      logged.heading,
@@ -140,9 +152,7 @@ std::optional<MeasuredGear> GearOf(const ManoeuvreTrack& logged) {
   gear.num_strokes = static_cast<int>(strokes.size());
   gear.angle = Median(stands);
   const double duration = Median(durations);
-  const double sample =
-      (logged.time.back() - logged.time.front()) / static_cast<double>(logged.time.size());
-  if (duration > sample) gear.rate = 2.0 * kSlope * largest / duration;
+  if (duration > SampleOf(logged)) gear.rate = 2.0 * kSlope * largest / duration;
   AddZigzag(logged, strokes, &gear);
   return gear;
 }

@@ -75,6 +75,19 @@ TEST(GearOf, FindsRateOrderAndDelayOfAZigzag) {
   }
 }
 
+// It seems to begin before the sample that shows the heading of the order.
+TEST(GearOf, FindsTheOrderWhereTheRudderGoesOverAtOnce) {
+  GearTruth truth;
+  truth.rate = 1e3;
+  truth.delay = 0.0;
+  truth.heading = 15.0 * kInDegrees;
+  const auto gear = GearOf(ZigzagLog(truth));
+  ASSERT_TRUE(gear);
+  ASSERT_TRUE(gear->IsZigzag());
+  EXPECT_NEAR(gear->heading, truth.heading, 1e-9);
+  EXPECT_LT(gear->most_delay, 0.05);
+}
+
 TEST(GearOf, KnowsNoDelayOfARudderThatDoesNotFollowTheHeading) {
   ManoeuvreTrack track = ZigzagLog({});
   for (std::size_t k = 0; k < track.time.size(); ++k) track.heading[k] = 0.001 * track.time[k];

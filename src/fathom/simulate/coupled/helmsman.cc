@@ -38,8 +38,10 @@ bool HasStopped(const Manoeuvre& manoeuvre, double ahead_at_begin, double ahead)
   return ahead <= (manoeuvre.astern > 0.0 ? 0.0 : kDrifting * ahead_at_begin);
 }
 
-Helmsman::Helmsman(const Manoeuvre& manoeuvre, double delay, double settle, double longest)
+Helmsman::Helmsman(
+    const Manoeuvre& manoeuvre, double step, double delay, double settle, double longest)
     : manoeuvre_(manoeuvre),
+      step_(step),
       delay_(delay),
       settle_(settle),
       longest_(longest),
@@ -72,15 +74,33 @@ void Helmsman::See(const HelmView& view) {
   views_.push_back(view);
 }
 
-void Helmsman::SeeZigzag(const HelmView& view) {
-  if (side_ * view.heading < manoeuvre_.heading) return;
-  double reached = view.time;
-  if (!views_.empty()) {
-    const HelmView& last = views_.back();
-    const double way = side_ * (view.heading - last.heading);
-    const double beyond = side_ * view.heading - manoeuvre_.heading;
-    if (way > 0.0) reached -= std::min(beyond / way, 1.0) * (view.time - last.time);
+// When the heading of the zigzag is reached, before a view that is beyond it or behind one that is
+// not: there at a yaw rate that changes on as it did. Infinite: not foreseen.
+double Helmsman::WhenReached(const HelmView& view) const {
+  const double ahead = manoeuvre_.heading - side_ * view.heading;
+  if (views_.empty()) {
+    return ahead > 0.0 ? std::numeric_limits<double>::infinity() : view.time;
   }
+  const HelmView& last = views_.back();
+  const double since = view.time - last.time;
+  if (ahead <= 0.0) {
+    const double way = side_ * (view.heading - last.heading);
+    return way > 0.0 ? view.time - std::min(-ahead / way, 1.0) * since : view.time;
+  }
+  const double rate = side_ * view.rate;
+  const double change = side_ * (view.rate - last.rate) / since;
+  const double squared = rate * rate + 2.0 * change * ahead;
+  if (!(rate > 0.0) || !(squared > 0.0)) return std::numeric_limits<double>::infinity();
+  return view.time + 2.0 * ahead / (rate + std::sqrt(squared));
+}
+
+void Helmsman::SeeZigzag(const HelmView& view) {
+  const double reached = WhenReached(view);
+  // An order that is due before the next look is given now, but for the last, behind which nothing
+  // is looked at.
+  const bool is_last = num_turned_ + 1 == kZigzagTurns;
+  const bool is_reached = side_ * view.heading >= manoeuvre_.heading;
+  if (!is_reached && (is_last || !(reached + delay_ < view.time + step_))) return;
   side_ = -side_;
   next_order_ = side_ * manoeuvre_.angle;
   next_time_ = std::max(reached + delay_, view.time);

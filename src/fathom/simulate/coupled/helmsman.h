@@ -29,9 +29,9 @@ struct SteadyTurn {
 // stands until the yaw rate changes by less than a thousandth of the largest one within `settle`.
 class Helmsman {
  public:
-  // `delay`: from the heading that asks for an order to the order [s]. `settle` [s], `longest` that
-  // such an order stands [s].
-  Helmsman(const Manoeuvre& manoeuvre, double delay, double settle, double longest);
+  // `step`: from one look to the next [s]. `delay`: from the heading that asks for an order to the
+  // order [s]. `settle` [s], `longest` that such an order stands [s].
+  Helmsman(const Manoeuvre& manoeuvre, double step, double delay, double settle, double longest);
 
   // To be called step by step.
   void See(const HelmView& view);
@@ -44,11 +44,12 @@ class Helmsman {
 
  private:
   void SeeZigzag(const HelmView& view);
+  double WhenReached(const HelmView& view) const;
   void SeeHeld(const HelmView& view);
   bool IsSteady(double time) const;
 
   Manoeuvre manoeuvre_;
-  double delay_, settle_, longest_;
+  double step_, delay_, settle_, longest_;
   std::vector<double> held_ = {};  // orders of a spiral or a pull-out
   std::size_t num_held_ = 0;
   double since_ = 0.0, largest_rate_ = 0.0;

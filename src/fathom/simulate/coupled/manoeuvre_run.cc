@@ -94,8 +94,11 @@ std::optional<ManoeuvreTrack> RunManoeuvre(const CoupledModel& model,
   state.nu[0] = options.ahead;
   ManoeuvreTrack track;
   track.fin_sign = to_starboard;
-  Helmsman helmsman(
-      manoeuvre, options.rudder_delay, kSettleSteps * options.step, kHeldShare * options.longest);
+  Helmsman helmsman(manoeuvre,
+                    options.step,
+                    options.rudder_delay,
+                    kSettleSteps * options.step,
+                    kHeldShare * options.longest);
   const bool is_held = !HeldOrders(manoeuvre).empty();
   double angle = 0.0, turned = 0.0, heading = 0.0;  // of the gear, and of the rudder behind it
   CoupledStamps one_step, while_it_stands;
