@@ -228,6 +228,12 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
                     "hold, and so do K and T.",
                     fitted.force_unit));
   }
+  const std::vector<Dof>& modelled = fitted.model.dofs;
+  if (std::ranges::find(modelled, Dof::kSway) == modelled.end()) {
+    report.sentences.push_back(
+        "Sway is not in this model: K and T hold of a vessel that drifts little. Of a ship K may "
+        "be half as large as it is: where sway is measured, identify --dofs=surge,sway,yaw.");
+  }
   report.num_draws = draws.count;
   report.num_astray = NumAstray(drawn);
   report.ahead = ahead;

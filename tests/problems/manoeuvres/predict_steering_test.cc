@@ -57,6 +57,20 @@ TEST(PredictSteering, GivesNomotosKAndTWithTheirIntervals) {
   EXPECT_NEAR(found_T.high - found_T.low, 2.0 * 1.96 * std_of_T, 0.2 * std_of_T);
 }
 
+// As MSS's Mariner: yaw alone gives a K of 0.07 1/s, where sway and yaw have 0.185.
+TEST(PredictSteering, DoubtsAModelWithoutSway) {
+  const auto doubts = [](const FittedCoupledModel& fitted) {
+    Log log = SteeredLog("");
+    log.velocity->columns.push_back("v");
+    log.velocity->values.emplace_back(log.velocity->time.size(), 0.0);
+    return PredictSteering(fitted, log, SteeringUnits::kSi, {0, 1}).sentences.size();
+  };
+  FittedCoupledModel with_sway = YawModel();
+  with_sway.model.dofs = {Dof::kSway, Dof::kYaw};
+  with_sway.model.inertia(1, 1) = kInertia;
+  EXPECT_EQ(doubts(YawModel()), doubts(with_sway) + 1);
+}
+
 TEST(PredictSteering, DividesByTheLengthWhereAsked) {
   const Log log = SteeredLog("size: [4, 1, 0.5]\n");
   const ManoeuvrePrediction si = PredictSteering(YawModel(), log, SteeringUnits::kSi, {10, 1});
