@@ -46,7 +46,7 @@ AxisSines LargestAxisSines(const CoupledModel& model,
   AxisSines sines;
   sines.amplitude.assign(axes.size(), 0.0);
   const double hold = limits.shortest_hold;
-  const std::vector<double> stamps = LimitStamps(duration);
+  const std::vector<double> stamps = WrenchLimitStamps(limits.shortest_hold, duration);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     for (int share = kSineShares; share >= 0; --share) {
       sines.amplitude[k] = (axes[k].force - std::abs(axes[k].holding)) * share / kSineShares;

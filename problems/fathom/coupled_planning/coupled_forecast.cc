@@ -139,7 +139,7 @@ void ForecastSeparations(std::span<const CoupledModel> models,
 bool ForecastMotion(const CoupledPlanRequest& request,
                     std::span<const CoupledModel> others,
                     CoupledPlan* plan) {
-  plan->time = LimitStamps(plan->duration);
+  plan->time = WrenchLimitStamps(request.limits.shortest_hold, plan->duration);
   const auto nominal = WrenchMotion(request.model.model, plan->command, plan->time);
   if (!nominal) return false;
   std::vector<std::optional<std::vector<CoupledState>>> motions(others.size());

@@ -16,15 +16,15 @@ constexpr int kStampsOfPiece = 50;
 
 }  // namespace
 
-std::vector<double> LimitStamps(double duration) {
-  return PlannedStamps(duration + kCoastAfterwards, kLimitPeriod);
+std::vector<double> WrenchLimitStamps(double hold, double duration) {
+  return LimitStamps(hold, duration + kCoastAfterwards, kLimitPeriod);
 }
 
 KeptWrench::KeptWrench(const std::vector<CoupledModel>& models,
                        const CoupledLimits& limits,
                        double duration)
     : models_(models), limits_(limits) {
-  for (const double stamp : LimitStamps(duration)) {
+  for (const double stamp : WrenchLimitStamps(limits.shortest_hold, duration)) {
     if (pieces_.empty() || pieces_.back().stamps.size() == kStampsOfPiece) {
       pieces_.push_back({pieces_.empty() ? 0.0 : pieces_.back().stamps.back(), {}});
     }

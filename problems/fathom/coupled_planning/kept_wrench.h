@@ -12,8 +12,8 @@
 
 namespace fathom {
 
-// The stamps at which motion is held against the limits, the coast behind the command along.
-std::vector<double> LimitStamps(double duration);
+// LimitStamps() of a command, the coast behind it along.
+std::vector<double> WrenchLimitStamps(double hold, double duration);
 
 // Whether models keep the limits under one command after another, for a search that changes little
 // from one to the next: runs begin where a command leaves the last one that all kept, and end with

@@ -180,7 +180,7 @@ void TakeUsableForces(const CoupledModel& model,
                       const CoupledLimits& limits,
                       std::vector<WrenchAxis>* axes) {
   constexpr int kMostHalvings = 40;
-  const std::vector<double> stamps = LimitStamps(limits.shortest_hold);
+  const std::vector<double> stamps = WrenchLimitStamps(limits.shortest_hold, limits.shortest_hold);
   Vector6 holding = Vector6::Zero();
   for (const WrenchAxis& axis : *axes) holding[Index(axis.dof)] = axis.holding;
   for (WrenchAxis& axis : *axes) {
@@ -203,7 +203,7 @@ bool AreKeptByMost(const std::vector<CoupledModel>& models,
                    double duration) {
   constexpr std::size_t kGroup = 20;  // asked at once
   const double most = kShareOfCoupled * static_cast<double>(models.size());
-  const std::vector<double> stamps = LimitStamps(duration);
+  const std::vector<double> stamps = WrenchLimitStamps(limits.shortest_hold, duration);
   std::atomic<int> num_breaking = 0;
   for (std::size_t first = 0; first < models.size() && num_breaking <= most; first += kGroup) {
     const std::size_t count = std::min(kGroup, models.size() - first);

@@ -20,10 +20,11 @@ bool KeepsLimits(const PlannedMotion& motion, const PlanLimits& limits) {
              });
 }
 
-double UsableForce(const ExtendedModel& model, Dof dof, const PlanLimits& limits, double period) {
+double UsableForce(const ExtendedModel& model, Dof dof, const PlanLimits& limits) {
   constexpr int kMostHalvings = 40;
-  const std::vector<double> stamps = PlannedStamps(limits.shortest_hold + kCoastAfterwards,
-                                                   std::min(period, limits.shortest_hold));
+  constexpr double kPeriod = 0.1;  // [s]
+  const std::vector<double> stamps =
+      LimitStamps(limits.shortest_hold, limits.shortest_hold + kCoastAfterwards, kPeriod);
   double force = limits.force;
   for (int i = 0; i < kMostHalvings; ++i, force *= 0.5) {
     const auto keeps = [&](double sign) {

@@ -16,7 +16,7 @@ bool KeepsLimits(const PlannedMotion& motion, const PlanLimits& limits);
 
 // The limits' force, halved until one hold of it, and the coast behind, keeps the limits: what is
 // more is of no use. Of a model that keeps them under none, what is left after 40 halvings.
-double UsableForce(const ExtendedModel& model, Dof dof, const PlanLimits& limits, double period);
+double UsableForce(const ExtendedModel& model, Dof dof, const PlanLimits& limits);
 
 // How many of the models break the limits under a command, or diverge; counting ends above `most`.
 int NumBreaking(std::span<const ExtendedModel> models,

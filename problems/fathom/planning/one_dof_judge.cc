@@ -25,8 +25,8 @@ class JudgeOfOneDof : public CommandJudge {
         limits_(Narrowed(question.limits, share)),
         models_(question.models),
         measure_(question.measure),
-        stamps_(PlannedStamps(question.duration, question.period)),
-        stamps_and_after_(PlannedStamps(question.duration + kCoastAfterwards, question.period)) {}
+        stamps_(question.stamps),
+        limit_stamps_(question.limit_stamps) {}
 
   double WorthOf(const std::vector<WrenchBlock>& blocks) override {
     if (blocks.empty()) return measure_({}, {});
@@ -56,7 +56,7 @@ class JudgeOfOneDof : public CommandJudge {
   }
 
   bool Keeps(const ExtendedModel& model, const HeldCommand& command) const {
-    const auto motion = MotionUnder(model, dof_, command, stamps_and_after_);
+    const auto motion = MotionUnder(model, dof_, command, limit_stamps_);
     return motion && KeepsLimits(*motion, limits_);
   }
 
@@ -64,8 +64,8 @@ class JudgeOfOneDof : public CommandJudge {
   PlanLimits limits_;
   std::vector<ExtendedModel> models_;  // in the order in which they are asked
   const CommandMeasure& measure_;
-  std::vector<double> stamps_;
-  std::vector<double> stamps_and_after_;
+  const std::vector<double>& stamps_;
+  const std::vector<double>& limit_stamps_;
 };
 
 }  // namespace

@@ -21,13 +21,14 @@ using CommandMeasure =
 struct OneDofQuestion {
   Dof dof = Dof::kSurge;
   PlanLimits limits;
-  double duration = 0.0;              // of the plan [s]
-  double period = 0.1;                // of the stamps at which motion is looked at [s]
+  std::vector<double> stamps;         // at which the measure looks at the motion, to the plan's end
+  std::vector<double> limit_stamps;   // at which it is held against the limits
   std::vector<ExtendedModel> models;  // that must keep the limits, all of them: one at least
   CommandMeasure measure;
 };
 
 // Judges commands of one axis. The limits of speed and distance are multiplied by `share`.
+// `question` must outlive the judge.
 std::unique_ptr<CommandJudge> OneDofJudge(const OneDofQuestion& question, double share);
 
 }  // namespace fathom

@@ -40,11 +40,13 @@ constexpr double kWork = 6e6;            // without rivals
 constexpr double kWorkWithRivals = 6e6;  // over the runs that a measure takes
 constexpr double kMostMoves = 8000.0;    // a short command needs no more
 
-// The stamps of a run, without and with the coast behind it, and the noise of a velocity at them.
+// The stamps of a run as it is measured, and the noise of a velocity at them; those at which it is
+// held against limits, without and with the coast behind it.
 struct RunStamps {
   double period = 0.0;
-  std::vector<double> during, and_after;
+  std::vector<double> measured;
   StampNoise noise;
+  std::vector<double> limits, limits_and_after;
 };
 
 // A velocity of the search stands for those measured in its period, and so does a position.
@@ -53,11 +55,13 @@ RunStamps StampsOf(const PlanRequest& request,
                    double duration) {
   RunStamps stamps;
   const double measured_period = 1.0 / measurement.rate;
-  const double least = std::max(kLargestPeriod, duration / kMostStamps);
-  const int num_samples = std::max(1, static_cast<int>(std::round(least / measured_period)));
+  const double coarsest = std::max(kLargestPeriod, duration / kMostStamps);
+  const int num_samples = std::max(1, static_cast<int>(std::round(coarsest / measured_period)));
   stamps.period = num_samples * measured_period;
-  stamps.during = PlannedStamps(duration, stamps.period);
-  stamps.and_after = PlannedStamps(duration + kCoastAfterwards, stamps.period);
+  stamps.measured = PlannedStamps(duration, stamps.period);
+  const double hold = request.limits.shortest_hold;
+  stamps.limits = LimitStamps(hold, duration, coarsest);
+  stamps.limits_and_after = LimitStamps(hold, duration + kCoastAfterwards, coarsest);
   stamps.noise = MeansOf(measurement.noise, ColourOf(request), num_samples);
   const PositionMeasurement& position = request.limits.position;
   const double position_rate = std::isnan(position.rate) ? measurement.rate : position.rate;
@@ -71,7 +75,7 @@ CommandTask TaskOf(const PlanRequest& request, const RunStamps& stamps, double d
   const double most = request.limits.force;
   CommandTask task;
   task.axes = {{dof,
-                UsableForce(request.model.Extended(), dof, request.limits, stamps.period),
+                UsableForce(request.model.Extended(), dof, request.limits),
                 std::clamp(request.model.model.buoyancy, -most, most)}};
   task.hold = request.limits.shortest_hold;
   task.duration = duration;
@@ -90,11 +94,11 @@ CommandTask TaskOf(const PlanRequest& request, const RunStamps& stamps, double d
 }
 
 // What is asked of commands.
-OneDofQuestion QuestionOf(const PlanRequest& request, const RunStamps& stamps, double duration) {
+OneDofQuestion QuestionOf(const PlanRequest& request, const RunStamps& stamps) {
   return {.dof = request.model.dof,
           .limits = request.limits,
-          .duration = duration,
-          .period = stamps.period,
+          .stamps = stamps.measured,
+          .limit_stamps = stamps.limits_and_after,
           .models = {},
           .measure = request.rivals.empty()
                          ? InformationMeasure(request, stamps.noise)
@@ -104,7 +108,7 @@ OneDofQuestion QuestionOf(const PlanRequest& request, const RunStamps& stamps, d
 // Fills the plan of a request with its leader. False if no command keeps the limits.
 bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPlan* plan) {
   RandomStream random(request.seed, "planning.models");
-  OneDofQuestion question = QuestionOf(request, stamps, plan->duration);
+  OneDofQuestion question = QuestionOf(request, stamps);
   FittedModel wider = request.model;
   wider.covariance *= kWiderInSearch;
   question.models = DrawModels(wider,
@@ -121,19 +125,22 @@ bool FillPlan(const PlanRequest& request, const RunStamps& stamps, ExperimentPla
   CommandTask task = TaskOf(request, stamps, plan->duration);
   task.judge = [&](double share) { return OneDofJudge(question, share); };
   task.is_kept_by_others = [&](const std::vector<WrenchBlock>& blocks) {
-    return NumBreaking(
-               others, question.dof, command_of(blocks), stamps.and_after, request.limits, most) <=
-           most;
+    return NumBreaking(others,
+                       question.dof,
+                       command_of(blocks),
+                       stamps.limits_and_after,
+                       request.limits,
+                       most) <= most;
   };
   FoundCommand found = SearchCommand(task);
   if (found.blocks.empty()) return false;
   plan->blocks = std::move(found.blocks);
   plan->force = task.axes.front().force;
   plan->command = command_of(plan->blocks);
-  if (!ForecastMotion(request, others, stamps.and_after, plan)) return false;
-  plan->sine = LargestOrdinarySine(request, plan->duration, stamps.during);
-  ForecastParameters(request, others, stamps.during, stamps.noise, plan);
-  ForecastSeparations(request, request.rivals, stamps.during, stamps.noise, plan);
+  if (!ForecastMotion(request, others, stamps.limits_and_after, plan)) return false;
+  plan->sine = LargestOrdinarySine(request, plan->duration, stamps.limits);
+  ForecastParameters(request, others, stamps.measured, stamps.noise, plan);
+  ForecastSeparations(request, request.rivals, stamps.measured, stamps.noise, plan);
   return true;
 }
 
@@ -148,7 +155,7 @@ ExperimentPlan PlanExperiment(const PlanRequest& asked) {
   const RunStamps stamps = StampsOf(asked, plan.measurement, plan.duration);
 
   const RunSetting log = {
-      asked.model.dof, SineOfLog(asked, plan.duration), stamps.during, stamps.noise};
+      asked.model.dof, SineOfLog(asked, plan.duration), stamps.measured, stamps.noise};
   PlanRequest agreeing = asked;
   agreeing.rivals = AgreeingRivals(asked.rivals, log);
 

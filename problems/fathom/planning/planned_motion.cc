@@ -104,6 +104,13 @@ std::vector<double> PlannedStamps(double duration, double period) {
   return stamps;
 }
 
+std::vector<double> LimitStamps(double hold, double duration, double coarsest) {
+  constexpr double kSlack = 1e-9;
+  const double period = hold > coarsest ? hold / std::ceil(hold / coarsest - kSlack)
+                                        : hold * std::floor(coarsest / hold + kSlack);
+  return PlannedStamps(duration, period);
+}
+
 std::optional<PlannedMotion> MotionUnder(const ExtendedModel& model,
                                          Dof dof,
                                          const HeldCommand& command,

@@ -38,6 +38,11 @@ inline constexpr double kCoastAfterwards = 10.0;
 // Stamps from `period` on to `duration` [s].
 std::vector<double> PlannedStamps(double duration, double period);
 
+// Stamps up to `duration` [s] at which motion is held against limits, `coarsest` [s] apart at most.
+// Where the command may change there is one: speed has its peaks there. Holds shorter than that
+// are looked at every few.
+std::vector<double> LimitStamps(double hold, double duration, double coarsest);
+
 // From t = 0 to the stamps, by the simulations that fits use: docs/models.md (5), (6). The command
 // begins at t = 0. Nothing if the run diverges. No effect may need a partner.
 std::optional<PlannedMotion> MotionUnder(const ExtendedModel& model,

@@ -4,6 +4,7 @@
 #include "fathom/planning/command_search.h"
 
 #include "fathom/planning/one_dof_judge.h"
+#include "fathom/planning/planned_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,8 @@ HeldCommand CommandOf(const std::vector<WrenchBlock>& blocks) {
 FoundCommand FarthestOf(const TankVehicle& vehicle,
                         const std::function<bool(const HeldCommand& command)>& is_kept) {
   OneDofQuestion question = {.limits = vehicle.limits,
-                             .duration = kHalfMinute,
+                             .stamps = PlannedStamps(kHalfMinute, 0.1),
+                             .limit_stamps = LimitStamps(1.0, kHalfMinute + 10.0, 0.1),
                              .models = {ExtendedModel{vehicle.truth}},
                              .measure = [&](const HeldCommand& command, auto stamps) {
                                return stamps.empty() ? 0.0 : GreatestDistance(vehicle, command);

@@ -332,7 +332,9 @@ TEST(KeptWrench, SaysOfACommandTheSameWhateverCameBefore) {
     const CoupledCommand command = StepsFrom(second, level);
     bool kept = true;
     for (const CoupledModel& model : models) {
-      kept = kept && KeepsLimits(*WrenchMotion(model, command, LimitStamps(40.0)), limits);
+      kept = kept && KeepsLimits(*WrenchMotion(
+                                     model, command, WrenchLimitStamps(limits.shortest_hold, 40.0)),
+                                 limits);
     }
     EXPECT_EQ(used.KeptByAll(command), kept) << second;
     num_kept += kept ? 1 : 0;

@@ -131,6 +131,19 @@ TEST(PlanExperiment, CountsHowOftenTheVelocityIsMeasured) {
   }
 }
 
+// The speed has its peaks where the command changes, and a sensor of one sample in two seconds sees
+// few of them.
+TEST(PlanExperiment, KeepsTheLimitsBetweenTheSamplesOfASlowSensor) {
+  TankVehicle vehicle = DrawTankVehicle(5);
+  const FittedModel so_far = AfterSine(vehicle, 5);
+  vehicle.limits.velocity = {0.5, 0.01};
+  const ExperimentPlan plan = PlanInTank(vehicle, so_far, kMinute, 0.05);
+  ASSERT_TRUE(plan.IsUsable());
+  PlanLimits limits = vehicle.limits;
+  limits.speed += 1e-3;
+  EXPECT_TRUE(KeepsTankLimits(RunTruth(so_far.model, plan.command, kMinute + 10.0), limits));
+}
+
 TEST(PlanExperiment, SaysThatNoCommandKeepsTheLimits) {
   // One millimetre either way: the unknown offset alone carries every vehicle out.
   TankVehicle vehicle = DrawTankVehicle(5);
