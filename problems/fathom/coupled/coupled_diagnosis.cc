@@ -41,33 +41,6 @@ std::vector<NamedEntry> CausesIn(const CoupledSummary& fit, const Ladder& ladder
   return causes;
 }
 
-// Free runs over the windows of the fit, from the starts that it found, by Index(Dof). Nothing
-// where blocks were fitted one by one, which leaves no starts, or where a run diverges.
-std::optional<std::array<std::vector<FreeRun>, 6>> RunsOfFit(
-    const CoupledIdentification& identified) {
-  const auto windows = CoupledWindowsOf(identified.data, identified.fit_options.window);
-  const std::vector<CoupledState>& starts = identified.fit.starts;
-  if (starts.size() != windows.size()) return std::nullopt;
-  std::array<std::vector<FreeRun>, 6> runs;
-  for (std::size_t w = 0; w < windows.size(); ++w) {
-    const CoupledSegment& segment = *windows[w].segment;
-    const auto [begin, end] = windows[w].samples;
-    CoupledStamps stamps;
-    stamps.start = segment.time[begin];
-    stamps.velocity.assign(segment.time.begin() + static_cast<std::ptrdiff_t>(begin),
-                           segment.time.begin() + static_cast<std::ptrdiff_t>(end));
-    CoupledOutputs outputs;
-    if (!RunCoupled(identified.fitted.model, windows[w].log->inputs, starts[w], stamps, &outputs)) {
-      return std::nullopt;
-    }
-    for (const Dof dof : identified.fitted.model.dofs) {
-      runs[static_cast<std::size_t>(Index(dof))].push_back(
-          FreeRunAlong(dof, segment, windows[w].samples, outputs.velocity));
-    }
-  }
-  return runs;
-}
-
 bool IsRed(const Finding& finding) { return finding.severity == Severity::kWarning; }
 
 Verdict VerdictOf(const CoupledDiagnosis& diagnosis) {
@@ -90,11 +63,9 @@ CoupledDiagnosis DiagnoseCoupled(const CoupledIdentification& identified,
   diagnosis.causes = CausesIn(identified.fit, *identified.ladder);
   diagnosis.run_nmae.fill(std::numeric_limits<double>::quiet_NaN());
   diagnosis.scatter_nmae = diagnosis.run_nmae;
-  const auto of_fit = RunsOfFit(identified);
   for (const Dof dof : identified.fitted.model.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
-    const std::vector<FreeRun> runs =
-        of_fit ? (*of_fit)[at] : FreeRunsAlong(dof, identified.data, identified.prediction);
+    const std::vector<FreeRun> runs = FreeRunsAlong(dof, identified.data, identified.prediction);
     diagnosis.scatter_nmae[at] = NmaeOfScatter(runs);
     diagnosis.run_nmae[at] = FiguresOfRuns(runs).nmae;
     if (diagnosis.run_nmae[at] >

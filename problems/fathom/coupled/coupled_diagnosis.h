@@ -21,10 +21,9 @@ struct CoupledDiagnosis {
   // them.
   std::vector<NamedEntry> causes;
 
-  // By Index(Dof), of modelled ones: the NMAE of free runs of a window's length from the starts
-  // that the fit found, for a start as measured may be far off soon where the vehicle is unstable;
-  // and the NMAE that scatter from sample to sample alone gives. Above three times this the model
-  // misses motion. NaN where too little was measured.
+  // By Index(Dof), of modelled ones: the NMAE of free runs of a window's length, and the NMAE that
+  // scatter from sample to sample alone gives. Above three times this the model misses motion. NaN
+  // where too little was measured.
   std::array<double, 6> run_nmae, scatter_nmae;
   std::vector<Dof> missed;  // the DOFs above it
 

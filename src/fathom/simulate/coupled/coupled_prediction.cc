@@ -4,6 +4,7 @@
 #include "fathom/simulate/coupled/coupled_prediction.h"
 
 #include "fathom/simulate/coupled/coupled_simulation.h"
+#include "fathom/simulate/coupled/coupled_start.h"
 #include "fathom/simulate/prediction.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ bool RunSegment(const CoupledModel& model,
     const auto to = std::upper_bound(from, segment.pose_time.end(), stamps.velocity.back());
     if (has_position) stamps.pose.assign(from, to);
     CoupledOutputs outputs;
-    const CoupledState start = MeasuredState(segment, window.begin);
+    const CoupledState start = FittedCoupledStart(model, log, segment, window.begin);
     if (!RunCoupled(model, log.inputs, start, stamps, &outputs)) return false;
     predicted->insert(predicted->end(), outputs.velocity.begin(), outputs.velocity.end());
     misses->Add(
