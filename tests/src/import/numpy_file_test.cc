@@ -9,6 +9,7 @@
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -206,6 +207,31 @@ TEST(NumpyFile, DamageOfAnyByteIsNoMoreThanAnError) {
       }
     }
   }
+}
+
+TEST(NumpyFile, TellsHowManyNumbersAreMissing) {
+  const double numbers[] = {0.5, std::nan(""), 0.25, INFINITY};
+  const std::string bytes =
+      Npy("{'descr': '<f8', 'fortran_order': False, 'shape': (4,), }",
+          std::string(reinterpret_cast<const char*>(numbers), sizeof(numbers)));
+  EXPECT_THAT(
+      OpenRecording(ScratchFile("u.npy", bytes))->contents().remarks,
+      ElementsAre("u: 2 numbers missing, NaN or infinite, the first is sample 2 of 'value'."));
+}
+
+// Of every format: what a stream loses is counted.
+TEST(NumpyFile, OfNumbersAndNanMakesAStreamThatTellsItsLoss) {
+  const double numbers[] = {0.5, std::nan(""), 0.25, 0.75};
+  const auto recording = OpenRecording(
+      ScratchFile("u.npy",
+                  Npy("{'descr': '<f8', 'fortran_order': False, 'shape': (4,), }",
+                      std::string(reinterpret_cast<const char*>(numbers), sizeof(numbers)))));
+  const ImportMap map =
+      ParseImportMap("map.yaml", "dof: surge\nvelocity: {rate: 10, u: {field: value, unit: m/s}}");
+  const ImportedLog imported = ImportLog("u.npy", *recording, map, std::nullopt);
+  EXPECT_EQ(imported.log.velocity->time.size(), 3U);
+  EXPECT_THAT(imported.remarks,
+              Contains("velocity of u: 1 row of 4 left out, in which no cell holds a number."));
 }
 
 }  // namespace
