@@ -356,5 +356,16 @@ TEST(MatFile, TellsHowManyNumbersAreMissing) {
   }
 }
 
+TEST(MatFile, SaysWhyAChannelMayBeMissing) {
+  const std::string bytes = MatBytes("plain_5.mat");
+  const auto recording = OpenRecording(ScratchFile("cut.mat", bytes.substr(0, bytes.size() / 2)));
+  ASSERT_FALSE(recording->contents().IsComplete());
+  EXPECT_THAT(ErrorFrom([&] {
+                ReadAll(*recording, {"none", {"value"}});
+              }),
+              AllOf(HasSubstr("holds no channel 'none', expected one of "),
+                    HasSubstr("Not all of the file is read: the file ends within a variable")));
+}
+
 }  // namespace
 }  // namespace fathom

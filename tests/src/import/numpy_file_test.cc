@@ -115,13 +115,15 @@ TEST(NumpyFile, TakesDatesAsStampsInUtc) {
 }
 
 TEST(NumpyFile, TellsWhatItPassesOver) {
-  EXPECT_THAT(OpenRecording(NumpyPath("packed.npz"))->contents().remarks,
-              AllOf(Contains("'cube' has 3 dimensions: passed over."),
-                    Contains("'z' holds texts, objects or complex numbers: passed over."),
-                    Contains("'words' holds texts, objects or complex numbers: passed over."),
-                    Contains("'objects' holds texts, objects or complex numbers: passed over."),
-                    Contains("no channels: 1 scalar, 1 empty array."),
-                    Contains(HasSubstr("columns of an array are counted from 1"))));
+  EXPECT_THAT(
+      OpenRecording(NumpyPath("packed.npz"))->contents().remarks,
+      AllOf(
+          Contains("'cube' has 3 dimensions: passed over."),
+          Contains("'z' holds texts, objects, complex numbers or long doubles: passed over."),
+          Contains("'words' holds texts, objects, complex numbers or long doubles: passed over."),
+          Contains("'objects' holds texts, objects, complex numbers or long doubles: passed over."),
+          Contains("no channels: 1 scalar, 1 empty array."),
+          Contains(HasSubstr("columns of an array are counted from 1"))));
 }
 
 TEST(NumpyFile, ImportsAnArrayWithTheStampsOfAnother) {
@@ -232,6 +234,20 @@ TEST(NumpyFile, OfNumbersAndNanMakesAStreamThatTellsItsLoss) {
   EXPECT_EQ(imported.log.velocity->time.size(), 3U);
   EXPECT_THAT(imported.remarks,
               Contains("velocity of u: 1 row of 4 left out, in which no cell holds a number."));
+}
+
+// Bits of IEEE 754 binary16: 1, -2, 65504, the least above 0, infinity.
+TEST(NumpyFile, ReadsHalves) {
+  const std::string header = "{'descr': '<f2', 'fortran_order': False, 'shape': (5,), }";
+  const std::string bits("\x00\x3c\x00\xc0\xff\x7b\x01\x00\x00\x7c", 10);
+  const auto recording = OpenRecording(ScratchFile("half.npy", Npy(header, bits)));
+  const ReadSamples samples = ReadAll(*recording, {"half", {"value"}});
+  ASSERT_EQ(samples.rows.size(), 5U);
+  EXPECT_EQ(samples.rows[0][0], 1.0);
+  EXPECT_EQ(samples.rows[1][0], -2.0);
+  EXPECT_EQ(samples.rows[2][0], 65504.0);
+  EXPECT_EQ(samples.rows[3][0], std::ldexp(1.0, -24));
+  EXPECT_EQ(samples.rows[4][0], INFINITY);
 }
 
 }  // namespace

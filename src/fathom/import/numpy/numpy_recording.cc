@@ -227,7 +227,8 @@ void NumpyRecording::Add(const std::string& name,
     return;
   }
   if (shape.size() > 2) return PassOver(name, fmt::format("has {} dimensions", shape.size()));
-  if (header.fields.empty()) return PassOver(name, "holds texts, objects or complex numbers");
+  if (header.fields.empty())
+    return PassOver(name, "holds texts, objects, complex numbers or long doubles");
   if (count == 1) {
     ++num_scalars_;
     return;
