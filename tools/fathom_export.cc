@@ -20,8 +20,6 @@
 #include "fathom/tool/version.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -66,48 +64,16 @@ std::string Today() {
   return FormatUtc(seconds).substr(0, 10);
 }
 
-// Words of the languages, as `iskeyword` lists them in MATLAB and Octave.
-constexpr std::array<std::string_view, 37> kReservedWords = {"break",
-                                                             "case",
-                                                             "catch",
-                                                             "classdef",
-                                                             "continue",
-                                                             "do",
-                                                             "else",
-                                                             "elseif",
-                                                             "end",
-                                                             "end_try_catch",
-                                                             "end_unwind_protect",
-                                                             "endclassdef",
-                                                             "endenumeration",
-                                                             "endevents",
-                                                             "endfor",
-                                                             "endfunction",
-                                                             "endif",
-                                                             "endmethods",
-                                                             "endparfor",
-                                                             "endproperties",
-                                                             "endswitch",
-                                                             "endwhile",
-                                                             "for",
-                                                             "function",
-                                                             "global",
-                                                             "if",
-                                                             "otherwise",
-                                                             "parfor",
-                                                             "persistent",
-                                                             "return",
-                                                             "spmd",
-                                                             "switch",
-                                                             "try",
-                                                             "until",
-                                                             "unwind_protect",
-                                                             "unwind_protect_cleanup",
-                                                             "while"};
+// Words of the languages, as `iskeyword` lists them in MATLAB and Octave, each between blanks.
+constexpr std::string_view kReservedWords =
+    " break case catch classdef continue do else elseif end end_try_catch end_unwind_protect"
+    " endclassdef endenumeration endevents endfor endfunction endif endmethods endparfor"
+    " endproperties endswitch endwhile for function global if otherwise parfor persistent return"
+    " spmd switch try until unwind_protect unwind_protect_cleanup while ";
 
 // MATLAB finds a function by the name of its file.
 void RequireFunctionFile(const std::filesystem::path& file) {
-  if (std::ranges::count(kReservedWords, file.stem().string()) > 0) {
+  if (kReservedWords.find(" " + file.stem().string() + " ") != std::string_view::npos) {
     throw InputError(
         fmt::format("--out: is {}, expected a name such as boat.m for mss: '{}' is a reserved word "
                     "of MATLAB or Octave, which no function can be called by.",
