@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -63,8 +64,22 @@ std::string Today() {
   return FormatUtc(seconds).substr(0, 10);
 }
 
+// Words of the languages, as `iskeyword` lists them in MATLAB and Octave, each between blanks.
+constexpr std::string_view kReservedWords =
+    " break case catch classdef continue do else elseif end end_try_catch end_unwind_protect"
+    " endclassdef endenumeration endevents endfor endfunction endif endmethods endparfor"
+    " endproperties endswitch endwhile for function global if otherwise parfor persistent return"
+    " spmd switch try until unwind_protect unwind_protect_cleanup while ";
+
 // MATLAB finds a function by the name of its file.
 void RequireFunctionFile(const std::filesystem::path& file) {
+  if (kReservedWords.find(" " + file.stem().string() + " ") != std::string_view::npos) {
+    throw InputError(
+        fmt::format("--out: is {}, expected a name such as boat.m for mss: '{}' is a reserved word "
+                    "of MATLAB or Octave, which no function can be called by.",
+                    file.string(),
+                    file.stem().string()));
+  }
   if (file.extension() == ".m" && file.stem() == IdentifierOf(file)) return;
   throw InputError(
       fmt::format("--out: is {}, expected a name such as boat.m for mss: MATLAB calls the function "

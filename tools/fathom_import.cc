@@ -220,14 +220,25 @@ Log LogBefore(const std::filesystem::path& folder) {
   }
 }
 
-// Throws InputError, naming the log to be, for one that no program would read.
-void RequireReadable(const std::filesystem::path& made, const std::filesystem::path& folder) {
+// Throws InputError, naming the recording and the log to be, for one that no program would read.
+// The remarks may say why: a unit that was taken for another, say.
+void RequireReadable(const std::filesystem::path& made,
+                     const std::filesystem::path& folder,
+                     const std::filesystem::path& file,
+                     const std::vector<std::string>& remarks) {
   try {
     ReadLog(made, {.may_lack_motion = true, .may_lack_command = true});
   } catch (const InputError& error) {
     std::string why = error.what();
     if (why.starts_with(made.string())) why.replace(0, made.string().size(), folder.string());
-    throw InputError(why + " The log was not written: mend the map.");
+    std::string problem = fmt::format(
+        "{}: makes a log that cannot be read: {} The log was not "
+        "written: mend {}.",
+        file.string(),
+        why,
+        FLAGS_map.empty() ? "the map" : FLAGS_map);
+    for (const std::string& remark : remarks) problem += "\nnote: " + remark;
+    throw InputError(problem);
   }
 }
 
@@ -288,7 +299,7 @@ int Run() {
   if (map.camera) {
     TakeCameraFiles(*map.camera, std::filesystem::path(FLAGS_map).parent_path(), made.path());
   }
-  RequireReadable(made.path(), folder);
+  RequireReadable(made.path(), folder, file, imported.remarks);
   made.TakePlace();
 
   fmt::print("{}\n", Heading(file, recording->contents()));

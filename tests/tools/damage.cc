@@ -138,8 +138,8 @@ std::string Refusal(const TwoColumnCsv& csv, Damage damage) {
              "with dos2unix.";
     case Damage::kByteOrderMark:
       return fmt::format(
-          ":1: starts with a UTF-8 byte order mark, expected the first column name. Strip it: sed "
-          "-i '1s/^\\xEF\\xBB\\xBF//' {}",
+          ":1: starts with a UTF-8 byte order mark, expected the first column name. Strip it (sed "
+          "-i '1s/^\\xEF\\xBB\\xBF//' {}).",
           file);
     case Damage::kNulTail:
       return fmt::format(

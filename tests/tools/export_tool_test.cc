@@ -294,6 +294,11 @@ TEST(ExportTool, RefusesANameThatMatlabCannotCall) {
                     {"--model=" + inputs.model, "--format=mss", "--out=" + inputs.Out("my-boat.m")},
                     inputs.folder),
       HasSubstr("expected a name such as boat.m"));
+  EXPECT_THAT(
+      ExpectRefusal("fathom_export",
+                    {"--model=" + inputs.model, "--format=mss", "--out=" + inputs.Out("end.m")},
+                    inputs.folder),
+      HasSubstr("'end' is a reserved word of MATLAB or Octave"));
 }
 
 TEST(ExportTool, RefusesAFormatThatThereIsNot) {

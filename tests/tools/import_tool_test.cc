@@ -398,5 +398,28 @@ TEST_F(ImportToolOnRealLogs, SuggestsAMapForAPx4Log) {
                     HasSubstr("channel: \"vehicle_attitude\", field: \"q[3]\"")));
 }
 
+// Stamps in ms that no name calls so: the note that says how to mend the map comes along.
+TEST(ImportTool, NamesTheFileAndTheNotesOfALogThatCannotBeRead) {
+  const Path folder = EmptyTestFolder();
+  std::string rows = "t,tau,v\n";
+  for (int k = 0; k < 50; ++k) {
+    rows += std::to_string(100 * k) + "," + std::to_string(k % 7) + ",0." + std::to_string(k % 5) +
+            "\n";
+  }
+  const Path csv = WriteTestFile(folder / "ms.csv", rows);
+  const Path map = WriteTestFile(folder / "m.yaml",
+                                 "dof: surge\n"
+                                 "command: {tau_surge: {field: tau, unit: N}}\n"
+                                 "velocity: {u: {field: v, unit: m/s}}\n");
+  EXPECT_THAT(
+      ExpectRefusal(
+          "fathom_import",
+          {"--from=" + csv.string(), "--map=" + map.string(), "--out=" + (folder / "log").string()},
+          folder),
+      AllOf(StartsWith("fathom_import: " + csv.string() + ": makes a log that cannot"),
+            HasSubstr("The log was not written: mend " + map.string()),
+            HasSubstr("the map: 'table: {time_unit: ms}'")));
+}
+
 }  // namespace
 }  // namespace fathom

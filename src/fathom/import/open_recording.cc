@@ -26,6 +26,7 @@
 #include "fathom/import/table/table_recording.h"
 #include "fathom/import/tlog/tlog_recording.h"
 #include "fathom/import/ulog/ulog_recording.h"
+#include "fathom/log/csv/refuse_utf16.h"
 #include "fathom/log/log_content.h"
 
 #include <algorithm>
@@ -85,6 +86,7 @@ std::unique_ptr<Recording> OpenFile(const std::filesystem::path& path,
     });
   }
   if (takes_text && LooksLikeText(first)) return OpenTable(path, table);
+  if (takes_text) RefuseUtf16(path.string(), first);
   throw InputError(
       fmt::format("{}: is {}, expected a table of text (CSV), an ArduPilot DataFlash log (.BIN), a "
                   "PX4 log (.ulg), a telemetry log (.tlog), a bag of ROS, a .mat of MATLAB, a "

@@ -9,8 +9,10 @@
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/parameters.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -29,11 +31,21 @@ Json ModelOf(Dof dof, const UncoupledModel<double>& model) {
   return json;
 }
 
-// Every number that is not at its null, by its name in docs/coupled.md.
+// Whether it is a number of a matrix that no modelled DOF feels: matrices hold the whole body.
+bool IsBesideTheModel(const FreeEntry& entry, const std::vector<Dof>& dofs) {
+  using Kind = FreeEntry::Kind;
+  const bool is_of_matrix = entry.kind == Kind::kInertia || entry.kind == Kind::kLinearDamping ||
+                            entry.kind == Kind::kQuadraticDamping || entry.kind == Kind::kLift;
+  const auto is_modelled = [&](Dof dof) { return std::ranges::count(dofs, dof) > 0; };
+  return is_of_matrix && !(is_modelled(entry.row) && is_modelled(entry.column));
+}
+
+// Every number that acts and is not at its null, by its name in docs/coupled.md.
 Json CoupledOfTruth(const CoupledModel& model) {
   Json dofs = Json::array(), parameters = Json::object();
   for (const Dof dof : model.dofs) dofs.push_back(Name(dof));
   for (const FreeEntry& entry : EntriesIn(model)) {
+    if (IsBesideTheModel(entry, model.dofs)) continue;
     parameters[NameOf(entry)] = {{"value", ValueIn(model, entry)}, {"unit", UnitOf(entry)}};
   }
   return {{"dofs", dofs}, {"coriolis", model.coriolis}, {"parameters", parameters}};

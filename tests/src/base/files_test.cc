@@ -98,5 +98,25 @@ TEST(Files, MayBeTriedInOneNewFolderAtTheSameTime) {
   other.join();
 }
 
+// The folders that would have to be made are not there: that is not what hinders.
+TEST(OutputFile, SaysThatAFolderMayNotBeMade) {
+  const std::filesystem::path folder = EmptyTestFolder();
+  std::filesystem::permissions(folder, std::filesystem::perms(0555));
+  constexpr uid_t kNobody = 65534;
+  const bool is_root = geteuid() == 0;  // who may write everywhere
+  if (is_root) {
+    ASSERT_EQ(seteuid(kNobody), 0);
+  }
+  const std::string error =
+      ErrorFrom([&] { RequireWritableFile(folder / "plan" / "command.csv"); });
+  if (is_root) {
+    ASSERT_EQ(seteuid(0), 0);
+  }
+  std::filesystem::permissions(folder, std::filesystem::perms(0755));
+  EXPECT_EQ(
+      error,
+      (folder / "plan" / "command.csv").string() + ": cannot write this file: Permission denied.");
+}
+
 }  // namespace
 }  // namespace fathom

@@ -339,5 +339,33 @@ TEST(MatFile, RefusesStampsOfAnotherNumber) {
               HasSubstr("big holds 2 stamps, expected as many as eta has samples: 12."));
 }
 
+// 7.25 stands in sample 8 of the second column.
+TEST(MatFile, TellsHowManyNumbersAreMissing) {
+  const double number = 7.25;
+  const double missing = std::nan("");
+  const std::string from(reinterpret_cast<const char*>(&number), sizeof(number));
+  const std::string to(reinterpret_cast<const char*>(&missing), sizeof(missing));
+  for (const char* name : {"little_4.mat", "plain_5.mat", "hdf5_73.mat"}) {
+    SCOPED_TRACE(name);
+    std::string bytes = MatBytes(name);
+    for (std::size_t at = 0; (at = bytes.find(from, at)) != std::string::npos;) {
+      bytes.replace(at, to.size(), to);
+    }
+    EXPECT_THAT(OpenRecording(ScratchFile(name, bytes))->contents().remarks,
+                Contains("eta: 1 number missing, NaN or infinite, the first is sample 8 of '2'."));
+  }
+}
+
+TEST(MatFile, SaysWhyAChannelMayBeMissing) {
+  const std::string bytes = MatBytes("plain_5.mat");
+  const auto recording = OpenRecording(ScratchFile("cut.mat", bytes.substr(0, bytes.size() / 2)));
+  ASSERT_FALSE(recording->contents().IsComplete());
+  EXPECT_THAT(ErrorFrom([&] {
+                ReadAll(*recording, {"none", {"value"}});
+              }),
+              AllOf(HasSubstr("holds no channel 'none', expected one of "),
+                    HasSubstr("Not all of the file is read: the file ends within a variable")));
+}
+
 }  // namespace
 }  // namespace fathom

@@ -9,6 +9,7 @@
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -114,13 +115,15 @@ TEST(NumpyFile, TakesDatesAsStampsInUtc) {
 }
 
 TEST(NumpyFile, TellsWhatItPassesOver) {
-  EXPECT_THAT(OpenRecording(NumpyPath("packed.npz"))->contents().remarks,
-              AllOf(Contains("'cube' has 3 dimensions: passed over."),
-                    Contains("'z' holds texts, objects or complex numbers: passed over."),
-                    Contains("'words' holds texts, objects or complex numbers: passed over."),
-                    Contains("'objects' holds texts, objects or complex numbers: passed over."),
-                    Contains("no channels: 1 scalar, 1 empty array."),
-                    Contains(HasSubstr("columns of an array are counted from 1"))));
+  EXPECT_THAT(
+      OpenRecording(NumpyPath("packed.npz"))->contents().remarks,
+      AllOf(
+          Contains("'cube' has 3 dimensions: passed over."),
+          Contains("'z' holds texts, objects, complex numbers or long doubles: passed over."),
+          Contains("'words' holds texts, objects, complex numbers or long doubles: passed over."),
+          Contains("'objects' holds texts, objects, complex numbers or long doubles: passed over."),
+          Contains("no channels: 1 scalar, 1 empty array."),
+          Contains(HasSubstr("columns of an array are counted from 1"))));
 }
 
 TEST(NumpyFile, ImportsAnArrayWithTheStampsOfAnother) {
@@ -206,6 +209,45 @@ TEST(NumpyFile, DamageOfAnyByteIsNoMoreThanAnError) {
       }
     }
   }
+}
+
+TEST(NumpyFile, TellsHowManyNumbersAreMissing) {
+  const double numbers[] = {0.5, std::nan(""), 0.25, INFINITY};
+  const std::string bytes =
+      Npy("{'descr': '<f8', 'fortran_order': False, 'shape': (4,), }",
+          std::string(reinterpret_cast<const char*>(numbers), sizeof(numbers)));
+  EXPECT_THAT(
+      OpenRecording(ScratchFile("u.npy", bytes))->contents().remarks,
+      ElementsAre("u: 2 numbers missing, NaN or infinite, the first is sample 2 of 'value'."));
+}
+
+// Of every format: what a stream loses is counted.
+TEST(NumpyFile, OfNumbersAndNanMakesAStreamThatTellsItsLoss) {
+  const double numbers[] = {0.5, std::nan(""), 0.25, 0.75};
+  const auto recording = OpenRecording(
+      ScratchFile("u.npy",
+                  Npy("{'descr': '<f8', 'fortran_order': False, 'shape': (4,), }",
+                      std::string(reinterpret_cast<const char*>(numbers), sizeof(numbers)))));
+  const ImportMap map =
+      ParseImportMap("map.yaml", "dof: surge\nvelocity: {rate: 10, u: {field: value, unit: m/s}}");
+  const ImportedLog imported = ImportLog("u.npy", *recording, map, std::nullopt);
+  EXPECT_EQ(imported.log.velocity->time.size(), 3U);
+  EXPECT_THAT(imported.remarks,
+              Contains("velocity of u: 1 row of 4 left out, in which no cell holds a number."));
+}
+
+// Bits of IEEE 754 binary16: 1, -2, 65504, the least above 0, infinity.
+TEST(NumpyFile, ReadsHalves) {
+  const std::string header = "{'descr': '<f2', 'fortran_order': False, 'shape': (5,), }";
+  const std::string bits("\x00\x3c\x00\xc0\xff\x7b\x01\x00\x00\x7c", 10);
+  const auto recording = OpenRecording(ScratchFile("half.npy", Npy(header, bits)));
+  const ReadSamples samples = ReadAll(*recording, {"half", {"value"}});
+  ASSERT_EQ(samples.rows.size(), 5U);
+  EXPECT_EQ(samples.rows[0][0], 1.0);
+  EXPECT_EQ(samples.rows[1][0], -2.0);
+  EXPECT_EQ(samples.rows[2][0], 65504.0);
+  EXPECT_EQ(samples.rows[3][0], std::ldexp(1.0, -24));
+  EXPECT_EQ(samples.rows[4][0], INFINITY);
 }
 
 }  // namespace

@@ -23,10 +23,12 @@
 #include "test_folder.h"
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace fathom {
 namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
 
 // What every shape holds: a minute of thrust [N] and speed [m/s], or torque and heading.
 struct Truth {
@@ -275,6 +277,37 @@ TEST(TableShapes, AxesOfRosAndASignThatIsWrong) {
       "velocity: {frame: FLU, v: field.v.y}\n");
   ExpectColumn(log.command, "tau_sway", 1.7e9, 1e-5, &Truth::thrust);
   ExpectColumn(log.velocity, "v", 1.7e9, 1e-5, &Truth::speed);
+}
+
+// RFC 4180: a line break within quotes is a part of the cell.
+TEST(TableShapes, ReadCellsWithLineBreaks) {
+  for (const std::string end : {"\n", "\r\n"}) {
+    std::string text = "\"t [s]\",\"speed, ahead [m/s]\",\"note\"" + end;
+    for (int k = 0; k < 30; ++k) {
+      text += std::to_string(k) + ",\"0.5\",\"two" + end + "lines, \"\"quoted\"\"\"" + end;
+    }
+    const auto recording = OpenRecording(ScratchFile("quote.csv", text + "1,2" + end));
+    const Channel channel = recording->contents().channels.front();
+    EXPECT_EQ(channel.count, 30U);
+    EXPECT_EQ(channel.fields[1].name, "speed, ahead");
+    EXPECT_THAT(recording->contents().remarks,
+                Contains("1 row passed over, the first on line 62: expected 3 cells."));
+  }
+}
+
+// Inches, and a quote that nothing closes.
+TEST(TableShapes, TakeOtherQuotesForCharacters) {
+  std::string text = "t [s],u [m/s],pipe\n";
+  for (int k = 0; k < 30; ++k) text += std::to_string(k) + ",0.5,5\" wide\n";
+  text += "30,0.5,\"open\n31,0.5,5\n";
+  const auto recording = OpenRecording(ScratchFile("inches.csv", text));
+  EXPECT_EQ(recording->contents().channels.front().count, 32U);
+}
+
+TEST(TableShapes, AreRefusedInUtf16WithTheCommandThatConvertsThem) {
+  EXPECT_THAT(
+      ErrorFrom([] { OpenRecording(ScratchFile("wide.csv", std::string("\0t\0,\0u\0\n", 8))); }),
+      HasSubstr("wide.csv:1: is UTF-16, expected plain text. Convert it (iconv "));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 // No number of it is 0 or 1 where it acts, and all axes couple.
 Vehicle CoupledRov() {
@@ -288,6 +289,21 @@ TEST(CoupledSynthesis, TellsItsTruthByTheNamesOfAFit) {
   EXPECT_THAT(truth, HasSubstr("\"inertia.sway.roll\""));
   EXPECT_THAT(truth, HasSubstr("\"thrust_gain.starboard\""));
   EXPECT_THAT(truth, HasSubstr("\"kg m^2\""));
+}
+
+// Matrices hold the whole body, also the axes that are held.
+TEST(CoupledSynthesis, TellsNoNumberOfTheTruthThatNoModelledDofFeels) {
+  Vehicle rov = CoupledRov();
+  rov.coupled->dofs = {Dof::kSurge, Dof::kPitch};
+  const std::string truth = FormatTruth(rov, OnAllAxes(), {}, 7);
+  EXPECT_THAT(truth, HasSubstr("\"inertia.surge.pitch\""));
+  EXPECT_THAT(truth, HasSubstr("\"linear_damping.surge\""));
+  for (const char* other : {"\"inertia.sway\"",
+                            "\"inertia.surge.sway\"",
+                            "\"linear_damping.yaw\"",
+                            "\"linear_damping.surge.heave\""}) {
+    EXPECT_THAT(truth, Not(HasSubstr(other)));
+  }
 }
 
 std::string ErrorOf(const Vehicle& vehicle, const std::string& lines) {

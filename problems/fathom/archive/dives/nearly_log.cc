@@ -11,6 +11,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -25,6 +26,17 @@ std::string Lower(std::string text) {
   std::ranges::transform(
       text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
+}
+
+// The separator in whose place commas would make a single CSV of it, units aside; 0: there is none.
+char OtherSeparatorOfLog(std::string_view text) {
+  std::string first_line(text.substr(0, text.find_first_of("\r\n")));
+  for (const char separator : {';', '\t'}) {
+    if (first_line.find(separator) == std::string::npos) continue;
+    std::ranges::replace(first_line, separator, ',');
+    if (IsSingleCsvLog(first_line) || IsMeantAsSingleCsvLog(first_line)) return separator;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -55,6 +67,10 @@ std::optional<std::string> WhyFileIsNearlyLog(const std::filesystem::path& file)
   if (IsSingleCsvLog(text)) {
     if (ending == ".csv") return std::nullopt;
     return fmt::format("ends in {}, expected .csv", ending);
+  }
+  if (const char separator = OtherSeparatorOfLog(text); separator != 0) {
+    return fmt::format("its columns are separated by {}, expected commas and decimal points",
+                       separator == '\t' ? "tabs" : "semicolons");
   }
   if (!IsMeantAsSingleCsvLog(text)) return std::nullopt;
   return "its first line does not name t, tau and v";

@@ -21,7 +21,8 @@ struct NearlyLog {
 std::optional<std::string> WhyFolderIsNearlyLog(const std::vector<std::string>& names);
 
 // Why a file that is no log is nearly one: a CSV file whose first line is close to t,tau,v, units
-// aside, or that has them and another ending; not by the name of a stream. Nothing if it is not.
+// aside, or that has them and another ending or separator; not by the name of a stream. Nothing if
+// it is not.
 std::optional<std::string> WhyFileIsNearlyLog(const std::filesystem::path& file);
 
 // "2 places are nearly logs: a.csv (its first line does not name t, tau and v) and b (holds

@@ -47,13 +47,17 @@ void WriteInto(const fs::path& file, std::string_view content, const fs::path& n
 // Makes and removes the temporary that is to be beside `path`. The error there was; 0: none.
 int ErrorOfTemporary(const fs::path& path) {
   std::error_code error;
+  std::error_code ignored;
   // Folders that are missing are made, and removed again from the innermost on.
   std::vector<fs::path> made;
   for (auto folder = path.parent_path(); !folder.empty() && !fs::exists(folder, error);
        folder = folder.parent_path()) {
     made.push_back(folder);
   }
-  if (!made.empty()) fs::create_directories(made.front(), error);
+  if (!made.empty() && !fs::create_directories(made.front(), error) && error) {
+    for (const auto& folder : made) fs::remove(folder, ignored);
+    return error.value();
+  }
   const Temporary temporary(path);
   errno = 0;
   const bool can_write = std::ofstream(temporary.path(), std::ios::binary).is_open();

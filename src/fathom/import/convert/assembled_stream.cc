@@ -35,9 +35,16 @@ void Unwrap(std::vector<double>* angles) {
 
 void TellLeftOut(const char* stream,
                  const std::string& channel,
+                 std::size_t num_rows,
                  const LeftOutRows& left_out,
                  std::vector<std::string>* remarks) {
   const std::string place = fmt::format("{} of {}: ", stream, channel);
+  if (left_out.empty > 0) {
+    remarks->push_back(fmt::format("{}{} of {} left out, in which no cell holds a number.",
+                                   place,
+                                   Plural(left_out.empty, "row"),
+                                   num_rows));
+  }
   if (left_out.incomplete > 0) {
     remarks->push_back(fmt::format("{}{} left out, in which some cells are empty.",
                                    place,
@@ -125,7 +132,7 @@ GatheredStream Assembled(const std::filesystem::path& file,
   for (ChannelPart& part : parts) {
     const std::size_t num_rows = part.samples.time.size();
     const LeftOutRows left_out = Clean(&part.samples);
-    TellLeftOut(name, part.selection.channel, left_out, remarks);
+    TellLeftOut(name, part.selection.channel, num_rows, left_out, remarks);
     if (left_out.num_back > 0) {
       out_of_order->push_back(
           {name, static_cast<double>(left_out.num_back) / static_cast<double>(num_rows)});

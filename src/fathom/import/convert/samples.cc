@@ -93,6 +93,8 @@ LeftOutRows Clean(ChannelSamples* samples) {
       rows.push_back(row);
     } else if (num_empty < std::ssize(samples->values)) {
       ++left_out.incomplete;
+    } else {
+      ++left_out.empty;
     }
   }
   const auto is_before = [&](std::size_t a, std::size_t b) {

@@ -23,12 +23,13 @@ struct ChannelSamples {
 
 // What was left out of samples, counted.
 struct LeftOutRows {
+  std::size_t empty = 0;       // no cell is a number, as of a channel with NaN
   std::size_t incomplete = 0;  // a cell is empty where another of its row is not
   std::size_t repeated = 0;    // another row of the same stamp follows it
   std::size_t num_back = 0;    // not left out, but sorted: a stamp before the largest so far
 };
 
-// Removes rows that hold nothing, and those of `LeftOutRows`, and sorts what goes back. Of rows of
+// Removes the rows of `LeftOutRows`, and sorts what goes back. Of rows of
 // one stamp the last stays.
 LeftOutRows Clean(ChannelSamples* samples);
 

@@ -3,9 +3,11 @@
 
 #include "fathom/import/matlab/matlab_recording.h"
 
+#include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
+#include "fathom/import/recording/missing_numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +65,9 @@ class MatlabRecording final : public Recording {
   void AddStruct(const std::string& name, const std::vector<const MatlabArray*>& fields);
   void Add(Channel channel, MatlabSource source);
 
+  // `variable` keeps the bytes that the next array may need too.
+  void LookForMissing(const Channel& channel, MatlabVariable* variable, MissingNumbers* missing);
+
   std::filesystem::path path_;
   std::unique_ptr<MatlabFile> file_;
   std::map<std::string, MatlabSource> sources_;  // by channel
@@ -86,6 +91,33 @@ MatlabRecording::MatlabRecording(const std::filesystem::path& path,
   }
   for (const auto& [name, fields] : structs) AddStruct(name, fields);
   std::ranges::sort(contents_.channels, {}, &Channel::name);
+  MissingNumbers missing;
+  MatlabVariable variable;
+  for (const Channel& channel : contents_.channels) LookForMissing(channel, &variable, &missing);
+  missing.WriteTo(&contents_.remarks);
+}
+
+void MatlabRecording::LookForMissing(const Channel& channel,
+                                     MatlabVariable* variable,
+                                     MissingNumbers* missing) {
+  const MatlabSource& source = sources_.at(channel.name);
+  std::map<const MatlabArray*, MatlabNumbers> numbers;
+  try {
+    for (const MatlabArray* array : source.arrays) {
+      numbers[array] = file_->Numbers(*array, variable);
+    }
+  } catch (const InputError&) {
+    contents_.remarks.push_back(fmt::format("{} is damaged.", Quoted(channel.name)));
+    return;
+  }
+  std::vector<const MatlabNumbers*> numbers_of_field;
+  for (const MatlabColumn& column : source.columns) {
+    numbers_of_field.push_back(&numbers.at(column.array));
+  }
+  missing->Look(channel, [&](std::size_t sample, std::size_t field) {
+    const MatlabColumn& column = source.columns[field];
+    return numbers_of_field[field]->At(column.array->IndexOf(sample, column.index));
+  });
 }
 
 void MatlabRecording::AddArray(const MatlabArray& array) {

@@ -26,6 +26,16 @@ double SecondsOf(std::int64_t ticks, double per_second) {
   return static_cast<double>(ticks / whole) + static_cast<double>(ticks % whole) / per_second;
 }
 
+// Of an IEEE 754 binary16: a sign, 5 bits of the exponent and 10 of the fraction.
+double HalfOf(std::uint16_t bits) {
+  const int exponent = (bits >> 10) & 0x1f;
+  const int fraction = bits & 0x3ff;
+  const double size = exponent == 0      ? std::ldexp(fraction, -24)
+                      : exponent == 0x1f ? (fraction == 0 ? INFINITY : NAN)
+                                         : std::ldexp(fraction + 0x400, exponent - 25);
+  return (bits & 0x8000) == 0 ? size : -size;
+}
+
 }  // namespace
 
 std::optional<NumpyType> ParseNumpyType(std::string_view text) {
@@ -49,6 +59,10 @@ std::optional<NumpyType> ParseNumpyType(std::string_view text) {
   const bool is_date = kind == 'M' || kind == 'm';
   if (!rest.empty() && !is_date) return std::nullopt;
   type.size = kind == 'U' ? std::size_t{4} * size : size;
+  if (kind == 'f' && size == 2) {  // a half, which is read out of its bits
+    type.number = NumpyNumber{'e', NumberType::kUint16, order == '>'};
+    return type;
+  }
   const char stored = is_date ? 'i' : kind == 'b' && size == 1 ? 'u' : kind;
   const auto number = NumberTypeOf(stored, size);
   const auto ticks = is_date ? TicksOf(rest) : 1.0;
@@ -60,6 +74,7 @@ std::optional<NumpyType> ParseNumpyType(std::string_view text) {
 
 double ValueOf(const NumpyNumber& number, std::string_view bytes, std::size_t offset) {
   if (offset > bytes.size() || bytes.size() - offset < SizeOf(number.type)) return NAN;
+  if (number.kind == 'e') return HalfOf(NumberAt<std::uint16_t>(bytes, offset, number.is_big));
   if (number.kind == 'b') return bytes[offset] != 0 ? 1.0 : 0.0;
   if (number.kind == 'M' || number.kind == 'm') {
     return SecondsOf(NumberAt<std::int64_t>(bytes, offset, number.is_big), number.per_second);

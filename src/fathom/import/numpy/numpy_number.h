@@ -13,7 +13,7 @@ namespace fathom {
 
 // How an element of an array of numpy is stored: numpy's "array interface", typestr.
 struct NumpyNumber {
-  char kind = 'f';  // f, i, u, b as in numpy; M: a count since 1970; m: a duration
+  char kind = 'f';  // f, i, u, b as in numpy; M: a count since 1970; m: a duration; e: a half
   NumberType type = NumberType::kFloat64;
   bool is_big = false;
   double per_second = 1.0;  // ticks of a date or a duration

@@ -11,6 +11,7 @@
 #include "fathom/import/recording/byte_file.h"
 #include "fathom/import/recording/channel_stamps.h"
 #include "fathom/import/recording/find_channel.h"
+#include "fathom/import/recording/missing_numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,6 +154,7 @@ class NumpyRecording final : public Recording {
   std::size_t num_scalars_ = 0;
   std::size_t num_empty_ = 0;
   bool has_numbered_columns_ = false;
+  MissingNumbers missing_;
   Contents contents_;
 };
 
@@ -171,6 +173,7 @@ NumpyRecording::NumpyRecording(const std::filesystem::path& path, bool is_zip) :
     Remark(fmt::format(
         "no channels: {}, {}.", Plural(num_scalars_, "scalar"), Plural(num_empty_, "empty array")));
   }
+  missing_.WriteTo(&contents_.remarks);
   if (has_numbered_columns_) {
     Remark("columns of an array are counted from 1: 1 is what numpy calls [:, 0].");
   }
@@ -224,7 +227,8 @@ void NumpyRecording::Add(const std::string& name,
     return;
   }
   if (shape.size() > 2) return PassOver(name, fmt::format("has {} dimensions", shape.size()));
-  if (header.fields.empty()) return PassOver(name, "holds texts, objects or complex numbers");
+  if (header.fields.empty())
+    return PassOver(name, "holds texts, objects, complex numbers or long doubles");
   if (count == 1) {
     ++num_scalars_;
     return;
@@ -265,6 +269,10 @@ void NumpyRecording::Add(const std::string& name,
     Remark(fmt::format(
         "{}: the stamps are its field {}, in seconds.", Printable(name), Quoted(time->name)));
   }
+  missing_.Look(channel, [&](std::size_t sample, std::size_t field) {
+    const NumpyColumn& column = array.columns[field];
+    return ValueOf(column.number, bytes, sample * array.step + column.offset);
+  });
   contents_.channels.push_back(std::move(channel));
   arrays_.emplace(name, std::move(array));
 }

@@ -30,6 +30,20 @@ std::string Listed(const std::vector<std::string>& names) {
   return names.size() > kMostNames ? text + ", ..." : text;
 }
 
+// Why a name may be missing: what the contents say of it, or of a file that is cut or damaged.
+std::string WhyMissing(const Contents& contents, const std::string& name) {
+  constexpr std::size_t kMostReasons = 3;
+  std::string why;
+  std::size_t num_reasons = 0;
+  for (const std::string& remark : contents.remarks) {
+    const bool names_it = remark.find(Quoted(name)) != std::string::npos;
+    if (!names_it && contents.IsComplete()) continue;
+    if (num_reasons++ == kMostReasons) break;
+    why += " " + remark;
+  }
+  return why.empty() ? "" : " Not all of the file is read:" + why;
+}
+
 }  // namespace
 
 const Channel& FindChannel(const Contents& contents,
@@ -42,10 +56,11 @@ const Channel& FindChannel(const Contents& contents,
   if (channel == channels.end()) {
     std::vector<std::string> names;
     for (const Channel& c : channels) names.push_back(c.name);
-    throw InputError(fmt::format("{}: holds no channel {}, expected one of {}.",
+    throw InputError(fmt::format("{}: holds no channel {}, expected one of {}.{}",
                                  path.string(),
                                  Quoted(selection.channel),
-                                 Listed(names)));
+                                 Listed(names),
+                                 WhyMissing(contents, selection.channel)));
   }
   // Of many fields of many, one search each would take their product.
   const auto& fields = channel->fields;
@@ -62,11 +77,12 @@ const Channel& FindChannel(const Contents& contents,
     if (is_there(name)) continue;
     std::vector<std::string> names;
     for (const Field& field : fields) names.push_back(field.name);
-    throw InputError(fmt::format("{}: {}has no field {}, expected one of {}.",
+    throw InputError(fmt::format("{}: {}has no field {}, expected one of {}.{}",
                                  path.string(),
                                  channel->name.empty() ? "" : "channel " + channel->name + " ",
                                  Quoted(name),
-                                 Listed(names)));
+                                 Listed(names),
+                                 WhyMissing(contents, name)));
   }
   return *channel;
 }

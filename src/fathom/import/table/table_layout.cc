@@ -35,6 +35,7 @@ struct Line {
 std::vector<Line> FirstLines(ByteFile* file) {
   std::vector<Line> first;
   TextLines lines(file);
+  lines.JoinQuoted();
   while (std::ssize(first) < kLinesLookedAt && lines.Next()) {
     if (lines.text().find_first_not_of(" \t") == std::string_view::npos) continue;
     // A last line without an end may be cut.

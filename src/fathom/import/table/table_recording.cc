@@ -118,6 +118,7 @@ TableRecording::TableRecording(const std::filesystem::path& path, const TableOpt
   std::vector<std::vector<std::string>> rows;
   CellSplitter splitter(layout_.style.separator);
   TextLines lines(&file, layout_.first_row, layout_.first_row_line);
+  lines.JoinQuoted();
   while (rows.size() < kRowsLookedAt && lines.Next()) {
     const auto& cells = splitter.Split(lines.text());
     if (cells.size() == layout_.columns.size() && lines.has_end()) {
@@ -133,6 +134,7 @@ PassedOver TableRecording::ForEachRow(const TakeRow& take) const {
   ByteFile file(path_);
   CellSplitter splitter(layout_.style.separator);
   TextLines lines(&file, layout_.first_row, layout_.first_row_line);
+  lines.JoinQuoted();
   while (lines.Next()) {
     const auto& cells = splitter.Split(lines.text());
     if (cells.size() == layout_.columns.size()) {

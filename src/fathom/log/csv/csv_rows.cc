@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/trimmed.h"
+#include "fathom/log/csv/refuse_utf16.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -50,6 +51,20 @@ void RefuseNulBytes(const std::string& name, std::string_view text) {
                   count));
 }
 
+// dos2unix mends CR LF and leaves a carriage return alone, the line end of old Macs, as it is.
+void RefuseCarriageReturns(const std::string& name, std::string_view text) {
+  const std::size_t at = text.find('\r');
+  if (at == std::string_view::npos) return;
+  const bool is_alone = !text.substr(at + 1).starts_with('\n');
+  throw InputError(fmt::format(
+      "{}:{}: the line ends in a carriage return, expected a line feed only. Convert the file {}.",
+      name,
+      LineOf(text, at),
+      is_alone ? fmt::format("(tr '\\r' '\\n' < {} > converted.csv)",
+                             std::filesystem::path(name).filename().string())
+               : "with dos2unix"));
+}
+
 void RefuseWhatIsNoPlainText(const std::string& name, std::string_view text) {
   if (text.empty()) {
     throw InputError(name + ": is empty, expected a line of column names and rows of numbers.");
@@ -57,22 +72,13 @@ void RefuseWhatIsNoPlainText(const std::string& name, std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) {
     throw InputError(fmt::format(
         "{0}:1: starts with a UTF-8 byte order mark, expected the first column name. Strip "
-        "it: sed -i '1s/^\\xEF\\xBB\\xBF//' {1}",
+        "it (sed -i '1s/^\\xEF\\xBB\\xBF//' {1}).",
         name,
         std::filesystem::path(name).filename().string()));
   }
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-    throw InputError(name +
-                     ":1: is UTF-16, expected plain text. Convert it: iconv -f UTF-16 -t ASCII");
-  }
+  RefuseUtf16(name, text);
   RefuseNulBytes(name, text);
-  if (const std::size_t at = text.find('\r'); at != std::string_view::npos) {
-    throw InputError(fmt::format(
-        "{}:{}: the line ends in a carriage return, expected a line feed only. Convert the "
-        "file with dos2unix.",
-        name,
-        LineOf(text, at)));
-  }
+  RefuseCarriageReturns(name, text);
 }
 
 // The cells of a line without quotes; none if it is blank.

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -178,6 +179,36 @@ void RequireLimits(const YamlMap& map, const CoupledModel& model) {
   }
 }
 
+// The matrices are those of the body, six by six whatever of it is modelled. A number by itself
+// that no modelled DOF feels is a mistake.
+void RequireModelled(const YamlMap& map, const CoupledModel& model) {
+  const auto is_modelled = [&](Dof dof) {
+    return std::find(model.dofs.begin(), model.dofs.end(), dof) != model.dofs.end();
+  };
+  constexpr const char* kExpected = "is none of 'dofs', so that it has no effect. Expected 0.";
+  for (const Dof dof : kAllDofs) {
+    if (model.offset[Index(dof)] == 0.0 || is_modelled(dof)) continue;
+    map.Fail(
+        "offset",
+        fmt::format("is {} along {}, which {}", model.offset[Index(dof)], Name(dof), kExpected));
+  }
+  for (const auto& [dof, moment] :
+       {std::pair(Dof::kRoll, model.righting_roll), std::pair(Dof::kPitch, model.righting_pitch)}) {
+    if (moment == 0.0 || is_modelled(dof)) continue;
+    map.Fail("righting_moment", fmt::format("is {} of {}, which {}", moment, Name(dof), kExpected));
+  }
+  // Of a tilted vehicle it acts along the other axes too.
+  const bool feels_buoyancy =
+      is_modelled(Dof::kHeave) || is_modelled(Dof::kRoll) || is_modelled(Dof::kPitch);
+  if (model.net_buoyancy != 0.0 && !feels_buoyancy) {
+    map.Fail(
+        "net_buoyancy",
+        fmt::format("is {}, but none of heave, roll and pitch is one of 'dofs', so that it has "
+                    "no effect. Expected 0.",
+                    model.net_buoyancy));
+  }
+}
+
 // Those of the vehicle file's area and lift slope, unless the model says otherwise.
 std::map<std::string, double> FinForces(const YamlMap& map, const std::vector<Fin>& fins) {
   std::map<std::string, double> forces = ByName(map, "fin_force", fins, "fin");
@@ -206,6 +237,12 @@ void ReadEffects(const YamlMap& map, CoupledModel* model) {
       const EffectParameter& parameter = entry.effect->info().parameters.front();
       named->Fail(
           name, fmt::format("is {}, expected {} to {}.", value, parameter.lower, parameter.upper));
+    }
+    const bool is_modelled =
+        IsOfActuator(entry) ||
+        std::find(model->dofs.begin(), model->dofs.end(), entry.row) != model->dofs.end();
+    if (value != 0.0 && !is_modelled) {
+      named->Fail(name, "acts along none of 'dofs', so that it has no effect. Expected 0.");
     }
     SetValue(entry, value, model);
   }
@@ -252,6 +289,7 @@ CoupledModel ReadCoupledYaml(const YamlMap& map,
   RequireLags(map, model);
   RequireLimits(map, model);
   ReadEffects(map, &model);
+  RequireModelled(map, model);
   return model;
 }
 

@@ -101,6 +101,20 @@ std::string Shortened(const Json& value) {
   return text.size() <= 40 ? text : text.substr(0, 40) + "...";
 }
 
+// The parser takes it for the end of the text, and what follows would not be read.
+void RefuseNulByte(const std::string& name, std::string_view text) {
+  const std::size_t at = text.find('\0');
+  if (at == std::string_view::npos) return;
+  const std::string_view before = text.substr(0, at);
+  const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
+  throw InputError(
+      fmt::format("{}:{}: a NUL byte stands in column {}, expected the text of a JSON file. It is "
+                  "damaged; restore it from its source.",
+                  name,
+                  1 + std::ranges::count(before, '\n'),
+                  at - begin + 1));
+}
+
 struct File {
   std::string name;
   Json root;
@@ -121,6 +135,7 @@ struct JsonValue::Place {
 JsonValue::JsonValue(std::shared_ptr<const Place> place) : place_(std::move(place)) {}
 
 JsonValue JsonValue::Parse(const std::string& name, std::string_view text) {
+  if (MayBeJson(text)) RefuseNulByte(name, text);
   WhileParsing watch(name);
   const auto see = [&](int depth, Event event, const Json& parsed) {
     watch.See(depth, event, parsed);

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -171,16 +173,15 @@ Fin ReadFin(const YamlMap& map) {
   return fin;
 }
 
-std::vector<Fin> ReadFins(const YamlMap& file) {
-  std::vector<Fin> fins;
-  for (const YamlMap& map : file.OptionalMaps("fins")) {
-    Fin fin = ReadFin(map);
-    const bool is_twice =
-        std::any_of(fins.begin(), fins.end(), [&](const Fin& f) { return f.name == fin.name; });
-    if (is_twice) map.Fail("name", "is that of another fin, expected each name once.");
-    fins.push_back(std::move(fin));
+// Commands, gains and tables are given by name: one of two parts of a name would be meant.
+template <typename Part>
+void AddOfNewName(const YamlMap& map, std::string_view kind, Part part, std::vector<Part>* parts) {
+  const bool is_twice =
+      std::ranges::any_of(*parts, [&](const Part& other) { return other.name == part.name; });
+  if (is_twice) {
+    map.Fail("name", fmt::format("is that of another {}, expected each name once.", kind));
   }
-  return fins;
+  parts->push_back(std::move(part));
 }
 
 }  // namespace
@@ -211,12 +212,14 @@ Vehicle ParseVehicleFile(const std::string& name, const std::string& text) {
   if (const auto body = file.OptionalMap("rigid_body"))
     vehicle.body = ReadBody(*body, vehicle.mass);
   for (const YamlMap& map : file.OptionalMaps("thrust_tables")) {
-    vehicle.thrust_tables.push_back(ReadThrustTable(map));
+    AddOfNewName(map, "thrust table", ReadThrustTable(map), &vehicle.thrust_tables);
   }
   for (const YamlMap& map : file.OptionalMaps("thrusters")) {
-    vehicle.thrusters.push_back(ReadThruster(map, vehicle.thrust_tables));
+    AddOfNewName(map, "thruster", ReadThruster(map, vehicle.thrust_tables), &vehicle.thrusters);
   }
-  vehicle.fins = ReadFins(file);
+  for (const YamlMap& map : file.OptionalMaps("fins")) {
+    AddOfNewName(map, "fin", ReadFin(map), &vehicle.fins);
+  }
   vehicle.shafts = ReadShafts(file, vehicle.thrusters);
   if (const auto models = file.OptionalMap("models")) {
     for (const Dof dof : kAllDofs) {

@@ -8,10 +8,12 @@
 #include <string>
 
 #include "test_folder.h"
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace fathom {
 namespace {
+
+using ::testing::HasSubstr;
 
 TEST(NearlyLog, IsAFolderOfStreamsWithoutALogYaml) {
   EXPECT_EQ(WhyFolderIsNearlyLog({"velocity.csv", "command.csv", "notes.txt"}),
@@ -32,6 +34,10 @@ TEST(NearlyLog, IsATableThatIsCloseToOne) {
   EXPECT_EQ(why("a.csv", "t,tau,w\n"), names);
   EXPECT_EQ(why("a.csv", "t_ms,tau,v [m/s]\n"), names);
   EXPECT_EQ(why("a.CSV", "t,tau,v\n"), "ends in .CSV, expected .csv");
+  EXPECT_EQ(why("a.csv", "t;tau;v\n0,1;2,5;0\n"),
+            "its columns are separated by semicolons, expected commas and decimal points");
+  EXPECT_THAT(why("a.csv", "t [s]\ttau [N]\tv [m/s]\r\n"), HasSubstr("separated by tabs"));
+  EXPECT_EQ(why("a.csv", "time;depth\n"), "");
   EXPECT_EQ(why("a.csv", "t,tau,v\n"), "");
   EXPECT_EQ(why("a.csv", "time,depth\n"), "");
   EXPECT_EQ(why("command.csv", "t,tau_surge,v\n"), "");

@@ -223,8 +223,21 @@ TEST(CsvTable, RefusesCarriageReturns) {
 TEST(CsvTable, RefusesAByteOrderMark) {
   EXPECT_EQ(Error("\xef\xbb\xbft,u\n0,1\n1,2\n"),
             "velocity.csv:1: starts with a UTF-8 byte order mark, expected the first column name. "
-            "Strip it: sed -i '1s/^\\xEF\\xBB\\xBF//' velocity.csv");
-  EXPECT_THAT(Error("\xff\xfet"), HasSubstr("is UTF-16"));
+            "Strip it (sed -i '1s/^\\xEF\\xBB\\xBF//' velocity.csv).");
+}
+
+TEST(CsvTable, RefusesUtf16WithTheCommandThatConvertsIt) {
+  EXPECT_EQ(Error("\xff\xfet"),
+            "velocity.csv:1: is UTF-16, expected plain text. Convert it (iconv -f UTF-16 -t UTF-8 "
+            "velocity.csv > converted.csv).");
+  EXPECT_THAT(Error(std::string("\0t\0,\0u", 6)), HasSubstr("iconv -f UTF-16BE"));
+  EXPECT_THAT(Error(std::string("t\0,\0u\0", 6)), HasSubstr("iconv -f UTF-16LE"));
+}
+
+// dos2unix would leave it as it is.
+TEST(CsvTable, NamesTheCommandThatMendsLoneCarriageReturns) {
+  EXPECT_THAT(Error("t,u\r0,1\r1,2\r"),
+              HasSubstr("Convert the file (tr '\\r' '\\n' < velocity.csv > converted.csv)."));
 }
 
 TEST(CsvTable, NamesTheTailOfNulBytesThatAPowerCutLeaves) {

@@ -73,9 +73,7 @@ TEST(CoupledYaml, ReadsWholeMatricesAndAllOtherNumbers) {
                            "    - [0, 0, 0, 0, 0, 0]\n"
                            "    - [0, -2.5, 0, 0, 0, 7]\n"
                            "  lift: [0, 11, 0, 0, 0, 0]\n"
-                           "  offset: [1, 2, 3, 4, 5, 6]\n"
-                           "  net_buoyancy: 2.5\n"
-                           "  righting_moment: {roll: 6, pitch: 7}\n"
+                           "  offset: [1, 2, 0, 0, 0, 6]\n"
                            "  thrust_gain: {port: 0.8}\n"
                            "  fin_force: {rudder: 9.6}\n"
                            "  fin_race: {rudder: 0.2}\n"
@@ -87,10 +85,7 @@ TEST(CoupledYaml, ReadsWholeMatricesAndAllOtherNumbers) {
   EXPECT_EQ(model.quadratic_damping(1, 5), 1.5);
   EXPECT_EQ(model.quadratic_damping(5, 1), -2.5);
   EXPECT_EQ(model.lift(1, 1), 11.0);
-  EXPECT_EQ(model.offset[3], 4.0);
-  EXPECT_EQ(model.net_buoyancy, 2.5);
-  EXPECT_EQ(model.righting_roll, 6.0);
-  EXPECT_EQ(model.righting_pitch, 7.0);
+  EXPECT_EQ(model.offset[5], 6.0);
   EXPECT_EQ(model.thrust_gain.at("port"), 0.8);
   EXPECT_EQ(model.fin_force.at("rudder"), 9.6);
   // rho/2 A dC_L/dangle = 500 * 0.02 * 3, in fresh water.
@@ -98,6 +93,34 @@ TEST(CoupledYaml, ReadsWholeMatricesAndAllOtherNumbers) {
   EXPECT_EQ(model.fin_race.at("rudder"), 0.2);
   EXPECT_EQ(model.fin_neutral.at("plane"), 0.01);
   EXPECT_EQ(model.fin_stuck.at("plane"), 0.2);
+}
+
+TEST(CoupledYaml, ReadsWeightAndBuoyancy) {
+  const CoupledModel model =
+      *ParseVehicleFile("v.yaml",
+                        std::string(kHull) + kModel +
+                            "  net_buoyancy: 2.5\n  righting_moment: {roll: 6, pitch: 7}\n")
+           .coupled;
+  EXPECT_EQ(model.net_buoyancy, 2.5);
+  EXPECT_EQ(model.righting_roll, 6.0);
+  EXPECT_EQ(model.righting_pitch, 7.0);
+}
+
+TEST(CoupledYaml, RefusesNumbersThatNoModelledDofFeels) {
+  const std::string surge = std::string(kHull) + kModel + "  dofs: [surge]\n";
+  EXPECT_EQ(
+      ErrorOf(surge + "  offset: [1, 0, 0, 0, 0, 9]\n"),
+      "v.yaml:13: key 'coupled_model.offset' is 9 along yaw, which is none of 'dofs', so that "
+      "it has no effect. Expected 0.");
+  EXPECT_THAT(ErrorOf(surge + "  righting_moment: {roll: 2}\n"),
+              HasSubstr("righting_moment' is 2 of roll, which is none of 'dofs'"));
+  EXPECT_THAT(ErrorOf(surge + "  net_buoyancy: 5\n"),
+              HasSubstr("net_buoyancy' is 5, but none of heave, roll and pitch is one of 'dofs'"));
+  EXPECT_THAT(ErrorOf(surge + "  effects: {coulomb_friction.sway: 3}\n"),
+              HasSubstr("effects.coulomb_friction.sway' acts along none of 'dofs'"));
+  EXPECT_EQ(ErrorOf(surge + "  offset: [1, 0, 0, 0, 0, 0]\n  righting_moment: {roll: 0}\n"
+                            "  effects: {coulomb_friction.surge: 3, thrust_dead_zone: 1}\n"),
+            "no error");
 }
 
 TEST(CoupledYaml, ReadsEffectsByTheNamesOfTheirEntries) {

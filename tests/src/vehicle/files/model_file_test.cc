@@ -151,6 +151,13 @@ TEST(ModelFile, SaysWhatIsWrong) {
   EXPECT_THAT(ErrorAfter("\"covariance\": [", "\"covariance\": [3,"), HasSubstr("'covariance'"));
 }
 
+// The parser would stop there, and whatever follows count for nothing.
+TEST(ModelFile, RefusesANulByte) {
+  EXPECT_EQ(ErrorFrom([] { ParseModel("m.json", std::string("{\n \0}", 5)); }),
+            "m.json:2: a NUL byte stands in column 2, expected the text of a JSON file. It is "
+            "damaged; restore it from its source.");
+}
+
 TEST(ModelFile, RefusesDeepNestingBeforeItOverflowsAnything) {
   EXPECT_THAT(ModelError(std::string(100000, '[')), HasSubstr("nested more than 16 levels"));
 }

@@ -222,5 +222,19 @@ TEST(VehicleFile, RefusesAModelThatCannotBe) {
       "roll, pitch, yaw. Correct or remove it.");
 }
 
+TEST(VehicleFile, RefusesPartsOfOneName) {
+  const std::string thrusters = std::string(kHead) + kThrusters;
+  EXPECT_EQ(Error(thrusters + "  - {name: port, position: [0, 0, 0], direction: [1, 0, 0]}\n"),
+            "v.yaml:9: key 'thrusters[2].name' is that of another thruster, expected each name "
+            "once.");
+  const std::string fin = "  - {name: top, position: [-1, 0, 0], axis: [0, 0, 1]}\n";
+  EXPECT_THAT(Error(std::string(kHead) + "fins:\n" + fin + fin),
+              HasSubstr("key 'fins[1].name' is that of another fin"));
+  const std::string table =
+      "  - {name: T, command: us, voltages: [12], thrust: [[1, 0], [2, 1]]}\n";
+  EXPECT_THAT(Error(std::string(kHead) + "thrust_tables:\n" + table + table),
+              HasSubstr("key 'thrust_tables[1].name' is that of another thrust table"));
+}
+
 }  // namespace
 }  // namespace fathom
