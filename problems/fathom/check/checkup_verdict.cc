@@ -4,6 +4,7 @@
 #include "fathom/check/checkup_verdict.h"
 
 #include "fathom/base/listed.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/check/known_parameters.h"
 #include "fathom/findings/explain_first.h"
 #include "fathom/planning/plan_hint.h"
@@ -68,7 +69,7 @@ std::string CoupledStep(const LogCheckup& checkup) {
   std::vector<std::string_view> dofs;
   for (const DofCheckup& dof : checkup.dofs) dofs.push_back(Name(dof.dof));
   return fmt::format("fathom_identify --log={} --dofs={} --model=coupled.json",
-                     checkup.log.path.string(),
+                     ShellWord(checkup.log.path.string()),
                      fmt::join(dofs, ","));
 }
 
@@ -129,7 +130,7 @@ std::string Verdict(const LogCheckup& checkup) {
 }
 
 std::string NextStep(const LogCheckup& checkup) {
-  const std::string log = checkup.log.path.string();
+  const std::string log = ShellWord(checkup.log.path.string());
   if (HasRed(checkup)) return fmt::format("mend what is red, then fathom_check --log={}", log);
   if (Has(checkup.findings, "not_tracked")) return fmt::format("fathom_track --log={}", log);
   const std::vector<std::string> usable = UsableDofs(checkup);

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/findings/camera_clock.h"
 #include "fathom/findings/command_check.h"
 #include "fathom/findings/command_clock.h"
@@ -73,12 +74,11 @@ std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
 
 std::string HowToAddMass(const Log& log) {
   if (!IsSingleCsv(log)) return fmt::format("Add `mass:` (dry, in kg) to {}.", PlaceOfKeys(log));
-  const std::string file = log.path.string();
   return fmt::format(
       "A log folder tells it: fathom_import --from={0} --suggest > map.yaml, add `mass:` (dry, in "
       "kg) to map.yaml, then fathom_import --from={0} --map=map.yaml --out={1}.",
-      file,
-      log.path.stem().string());
+      ShellWord(log.path.string()),
+      ShellWord(log.path.stem().string()));
 }
 
 // A vehicle file that is missing or has no mass has a remark of its own. A turn is held against no
@@ -181,7 +181,7 @@ void LookAtDecay(const Log& log, DofCheckup* checkup) {
            log.command ? "The command is 0 throughout" : "There is no command",
            TimesOf(decay.stretches.front(), MotionStream(log, dof, decay.source).time.front()),
            QuantitiesText(decay),
-           log.path.string(),
+           ShellWord(log.path.string()),
            Name(dof))});
 }
 

@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/plural.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/report/format_value.h"
 
 #include <algorithm>
@@ -206,7 +207,7 @@ std::vector<std::string> HowToFitChosen(const OrdinaryRequest& request,
   };
   for (std::size_t k = 0; k < request.logs.size(); ++k) {
     if (!IsChosenFrom(dives, k)) continue;
-    logs += " --log=" + request.logs[k];
+    logs += " --log=" + ShellWord(request.logs[k]);
     if (request.logs.size() == 1) continue;
     const std::string rest = joined(k, "[{:.2f}, {:.2f}]", ", ");
     if (!rest.empty()) {

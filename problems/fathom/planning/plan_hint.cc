@@ -4,6 +4,7 @@
 #include "fathom/planning/plan_hint.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/planning/drawn_models.h"
 #include "fathom/planning/hinted_command.h"
 #include "fathom/planning/open_causes.h"

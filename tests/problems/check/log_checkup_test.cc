@@ -27,8 +27,8 @@ using testing::Not;
 
 // A vehicle of 20 kg and 8 kg/s under steps of 3 s, in a table: t, tau, v. `sign`: of the command
 // as the table has it.
-std::filesystem::path WriteTable(double sign) {
-  const std::filesystem::path path = TestFolder() / "table.csv";
+std::filesystem::path WriteTable(double sign, const std::string& name = "table.csv") {
+  const std::filesystem::path path = TestFolder() / name;
   std::ofstream table(path);
   table << "t,tau,v\n";
   double speed = 0.0;
@@ -73,6 +73,13 @@ TEST(CheckUp, SendsALogOfFinsToACoupledModel) {
   EXPECT_THAT(checkup.dofs[0].why_not, testing::StartsWith("fins alone steer it"));
   EXPECT_THAT(Verdict(checkup), testing::StartsWith("No model of one DOF comes of this log"));
   EXPECT_THAT(NextStep(checkup), testing::EndsWith(" --dofs=surge --model=coupled.json"));
+}
+
+TEST(NextStep, QuotesAFileForAShell) {
+  const std::filesystem::path table = WriteTable(1.0, "my table.csv");
+  EXPECT_EQ(
+      NextStep(CheckUp(table, Dof::kSurge)),
+      fmt::format("fathom_identify --log='{}' --dof=surge --model=surge.json", table.string()));
 }
 
 TEST(CheckUp, FindsNoFaultInASoundTable) {
