@@ -4,7 +4,6 @@
 #include "fathom/check/checkup_verdict.h"
 
 #include "fathom/base/listed.h"
-#include "fathom/base/shell_word.h"
 #include "fathom/check/known_parameters.h"
 #include "fathom/findings/explain_first.h"
 #include "fathom/planning/plan_hint.h"
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -68,8 +68,8 @@ bool HasSurfaces(const LogCheckup& checkup) { return checkup.log.fins || checkup
 std::string CoupledStep(const LogCheckup& checkup) {
   std::vector<std::string_view> dofs;
   for (const DofCheckup& dof : checkup.dofs) dofs.push_back(Name(dof.dof));
-  return fmt::format("fathom_identify --log={} --dofs={} --model=coupled.json",
-                     ShellWord(checkup.log.path.string()),
+  return fmt::format("fathom_identify {} --dofs={} --model=coupled.json",
+                     LogFlags(checkup.log, checkup.asked),
                      fmt::join(dofs, ","));
 }
 
@@ -130,18 +130,24 @@ std::string Verdict(const LogCheckup& checkup) {
 }
 
 std::string NextStep(const LogCheckup& checkup) {
-  const std::string log = ShellWord(checkup.log.path.string());
-  if (HasRed(checkup)) return fmt::format("mend what is red, then fathom_check --log={}", log);
-  if (Has(checkup.findings, "not_tracked")) return fmt::format("fathom_track --log={}", log);
+  const std::string log = LogFlags(checkup.log, checkup.asked);
+  const std::optional<Dof> dof = checkup.asked.dof;
+  if (HasRed(checkup)) {
+    return fmt::format("mend what is red, then fathom_check {}{}",
+                       log,
+                       dof ? fmt::format(" --dof={}", Name(*dof)) : "");
+  }
+  // It reads images, which no other flag is about.
+  if (Has(checkup.findings, "not_tracked")) return "fathom_track " + LogFlags(checkup.log, {});
   const std::vector<std::string> usable = UsableDofs(checkup);
   if (const std::vector<std::string> decays = DecayingDofs(checkup);
       usable.empty() && !decays.empty()) {
-    return fmt::format("fathom_identify --log={} --dof={}", log, decays[0]);
+    return fmt::format("fathom_identify {} --dof={}", log, decays[0]);
   }
   if (usable.empty() && HasSurfaces(checkup)) return CoupledStep(checkup);
   if (usable.empty()) return "drive what this log lacks, or fit it together with other logs";
   const std::string step =
-      fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);
+      fmt::format("fathom_identify {} --dof={} --model={}.json", log, usable[0], usable[0]);
   if (usable.size() == 1) return step;
   return fmt::format("{}; likewise {}", step, Listed({usable.begin() + 1, usable.end()}));
 }

@@ -148,7 +148,7 @@ void Identify(const Log& log, DofCheckup* checkup) {
 }
 
 // What a log that nothing drives tells. It lacks no command then: that is no finding.
-void LookAtDecay(const Log& log, DofCheckup* checkup) {
+void LookAtDecay(const Log& log, const CheckUpOptions& options, DofCheckup* checkup) {
   const Dof dof = checkup->dof;
   if ((log.fins || log.shafts) && !log.command) return;  // they drive it
   LogDecay decay;
@@ -177,11 +177,11 @@ void LookAtDecay(const Log& log, DofCheckup* checkup) {
        decay.inertia ? "scaled_decay" : "free_decay",
        fmt::format(
            "{}, so that this is a free decay, from {}. It tells {}. "
-           "fathom_identify --log={} --dof={}",
+           "fathom_identify {} --dof={}",
            log.command ? "The command is 0 throughout" : "There is no command",
            TimesOf(decay.stretches.front(), MotionStream(log, dof, decay.source).time.front()),
            QuantitiesText(decay),
-           ShellWord(log.path.string()),
+           LogFlags(log, options),
            Name(dof))});
 }
 
@@ -193,23 +193,20 @@ std::string PlaceOfKeys(const Log& log) {
   return log.origin ? "the map of the import" : "log.yaml";
 }
 
-LogCheckup CheckUp(const std::filesystem::path& path,
-                   std::optional<Dof> dof,
-                   const std::vector<TimeInterval>& held_out,
-                   const std::vector<Correction>& corrections) {
-  return CheckUp(OpenLog(path,
-                         {.dof = dof,
-                          .held_out = held_out,
-                          .corrections = corrections,
-                          .may_lack_motion = true,
-                          .may_lack_command = true}),
-                 dof);
+std::string LogFlags(const Log& log, const CheckUpOptions& options) {
+  return "--log=" + ShellWord(log.path.string()) + options.data_flags;
 }
 
-LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
+LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
+  return CheckUp(OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}),
+                 {.dof = dof});
+}
+
+LogCheckup CheckUp(Log log, const CheckUpOptions& options) {
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   const Survey survey = SurveyOf(log);
   LogCheckup checkup;
+  checkup.asked = options;
   checkup.streams = StreamsOf(log);
   checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
@@ -228,7 +225,7 @@ LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
                                 "The motion is in images alone: fathom_track comes first."});
   }
   for (const SurveyedDof& surveyed : survey.dofs) {
-    if (dof && surveyed.dof != *dof) continue;
+    if (options.dof && surveyed.dof != *options.dof) continue;
     const bool may_decay = IsFreeDecay(log, surveyed.dof) && !SourcesOf(log, surveyed.dof).empty();
     DofCheckup of_dof;
     of_dof.dof = surveyed.dof;
@@ -238,7 +235,7 @@ LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
     } else {
       of_dof.findings = FindingsWithoutFit(log, of_dof.dof);
     }
-    if (may_decay) LookAtDecay(log, &of_dof);
+    if (may_decay) LookAtDecay(log, options, &of_dof);
     of_dof.findings = WarningsFirst(std::move(of_dof.findings));
     checkup.dofs.push_back(std::move(of_dof));
   }

@@ -214,7 +214,8 @@ std::vector<std::string> HowToFitChosen(const OrdinaryRequest& request,
       lines.push_back(fmt::format("held_out: [{}] in the log.yaml of {}", rest, request.logs[k]));
     }
   }
-  std::string command = fmt::format("fathom_identify{} --dof={}", logs, Name(request.model.dof));
+  std::string command = fmt::format(
+      "fathom_identify{}{} --dof={}", logs, request.data_flags, Name(request.model.dof));
   if (request.logs.size() == 1) {
     const std::string rest = joined(0, "{:.2f}:{:.2f}", ",");
     if (rest.empty()) return {};

@@ -58,7 +58,7 @@ TEST(CheckUp, IsNeverGreenerThanTheFit) {
 TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
   const std::filesystem::path table = WriteTable(1.0);
   const Log log = OpenLog(table, {.dof = Dof::kSurge});
-  EXPECT_EQ(FormatCheckupJson(CheckUp(log, Dof::kSurge)),
+  EXPECT_EQ(FormatCheckupJson(CheckUp(log, {.dof = Dof::kSurge})),
             FormatCheckupJson(CheckUp(table, Dof::kSurge)));
 }
 
@@ -68,11 +68,19 @@ TEST(CheckUp, SendsALogOfFinsToACoupledModel) {
   log.fins = Stream{log.command->time, {"fin_rudder"}, log.command->values};
   for (double& angle : log.fins->values[0]) angle *= 0.01;  // [rad]
   log.command.reset();
-  const LogCheckup checkup = CheckUp(std::move(log), Dof::kSurge);
+  const LogCheckup checkup = CheckUp(std::move(log), {.dof = Dof::kSurge});
   ASSERT_EQ(checkup.dofs.size(), 1u);
   EXPECT_THAT(checkup.dofs[0].why_not, testing::StartsWith("fins alone steer it"));
   EXPECT_THAT(Verdict(checkup), testing::StartsWith("No model of one DOF comes of this log"));
   EXPECT_THAT(NextStep(checkup), testing::EndsWith(" --dofs=surge --model=coupled.json"));
+}
+
+// A single CSV does not say its DOF: without --dof the command would be refused.
+TEST(NextStep, ChecksAgainWhatWasAskedFor) {
+  const std::filesystem::path table = WriteTable(-1.0);
+  EXPECT_EQ(
+      NextStep(CheckUp(table, Dof::kSurge)),
+      fmt::format("mend what is red, then fathom_check --log={} --dof=surge", table.string()));
 }
 
 TEST(NextStep, QuotesAFileForAShell) {
