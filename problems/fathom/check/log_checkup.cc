@@ -132,7 +132,7 @@ void Identify(const Log& log, DofCheckup* checkup) {
   if (auto finding = CheckCommandClock(checkup->command, segments)) {
     checkup->findings.push_back(*std::move(finding));
   }
-  Add(CheckCommand(checkup->command, segments), &checkup->findings);
+  Add(CheckCommand(checkup->command, segments, checkup->signals->force_unit), &checkup->findings);
   if (!identified.result.is_usable) {
     checkup->findings.push_back(
         {Severity::kNote,

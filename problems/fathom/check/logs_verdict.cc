@@ -3,6 +3,7 @@
 
 #include "fathom/check/logs_verdict.h"
 
+#include "fathom/base/short_number.h"
 #include "fathom/findings/inertia_check.h"
 #include "fathom/findings/log_check.h"
 #include "fathom/vehicle/parameters.h"
@@ -68,7 +69,7 @@ std::string ClauseOnInertia(std::span<const CheckedLog> logs, Dof dof) {
   }
   if (masses.empty()) return "";
   const auto [least, most] = std::ranges::minmax(masses);
-  const std::string low = fmt::format("{:.2g}", least), high = fmt::format("{:.2g}", most);
+  const std::string low = ShortNumber(least, 2), high = ShortNumber(most, 2);
   return fmt::format(
       "the inertia in {} is {} times the dry mass in {} of {} logs (up to 3 is usual)",
       Name(dof),

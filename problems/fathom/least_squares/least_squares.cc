@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
+#include "fathom/base/short_number.h"
 #include "fathom/least_squares/regression.h"
 #include "fathom/report/format_value.h"
 
@@ -141,10 +142,10 @@ std::string WhyNoModel(const Lumped& lumped) {
   }
   if (alpha < half_width) {
     return fmt::format(
-        "The data do not determine the inertia: its inverse is {:.3g} ± {:.2g} (95 %), which "
+        "The data do not determine the inertia: its inverse is {:.3g} ± {} (95 %), which "
         "includes 0.",
         alpha,
-        half_width);
+        ShortNumber(half_width, 2));
   }
   return "";
 }

@@ -60,7 +60,9 @@ constexpr Entry kAdvice[] = {
      {"Only ratios to the inertia come of it, but no error of a command is in them.",
       "Give `inertia` in the vehicle file for the parameters themselves: docs/free_decay.md."}},
     {"gap",
-     {"None of its own: the log is cut into pieces there.", "Find out why the sensor paused."}},
+     {"Little: a fit runs through it by the command alone. One of over 30 s cuts the log into "
+      "pieces; in a model of several DOFs, one of over 2 s does.",
+      "Find out why the sensor paused."}},
     {"held_samples",
      {"The motion comes late, by half the interval on average, and noise seems to be small.",
       "Export the sensor at its own rate."}},
