@@ -194,6 +194,8 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
   summary.message = WhyNoModel(lumped);
   if (!summary.message.empty()) {
     const bool is_open = lumped.IsFinite() && lumped.alpha() > 0.0;
+    summary.has_wrong_sign =
+        lumped.IsFinite() && lumped.alpha() + kStdsOf95 * lumped.alpha_std() < 0.0;
     if (is_open) summary.not_determined = {kParameterInfo[kInertia].name};
     return summary;
   }

@@ -55,6 +55,13 @@ TEST(CheckUp, IsNeverGreenerThanTheFit) {
   EXPECT_THAT(turned.dofs[0].findings, Contains(IsOf("no_model", Severity::kNote)));
 }
 
+// Output error cannot reach a negative inertia, and an experiment does not mend a sign.
+TEST(CheckUp, NamesTheSignWhereOutputErrorFailsByIt) {
+  const LogCheckup turned = CheckUp(WriteTable(-1.0), Dof::kSurge);
+  EXPECT_THAT(turned.dofs[0].model->message,
+              testing::ContainsRegex("^The inertia would be -.* Check the sign of the force"));
+}
+
 TEST(CheckUp, SaysTheSameOfALogThatWasOpenedAlready) {
   const std::filesystem::path table = WriteTable(1.0);
   const Log log = OpenLog(table, {.dof = Dof::kSurge});
