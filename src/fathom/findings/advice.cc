@@ -97,8 +97,8 @@ constexpr Entry kAdvice[] = {
     {"other_axes",
      {"Inertia and damping take a part of the other axes' force: they are biased by more than "
       "their intervals say.",
-      "Drive one axis at a time, or run fathom_diagnose on this log: it names the coupling and "
-      "what it changes."}},
+      "Drive one axis at a time, or take the axes as one motion: --dofs of fathom_identify fits "
+      "it, --dofs of fathom_diagnose looks for what it lacks."}},
     {"passivity",
      {"Damping comes out negative.",
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "

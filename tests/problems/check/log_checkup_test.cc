@@ -90,6 +90,41 @@ TEST(NextStep, ChecksAgainWhatWasAskedFor) {
       fmt::format("mend what is red, then fathom_check --log={} --dof=surge", table.string()));
 }
 
+// The same model of both axes.
+LogCheckup OfSurgeAndSway(const std::string& code) {
+  LogCheckup checkup = CheckUp(WriteTable(1.0), Dof::kSurge);
+  checkup.asked.dof.reset();
+  checkup.dofs.push_back(checkup.dofs[0]);
+  checkup.dofs[1].dof = Dof::kSway;
+  if (!code.empty()) checkup.dofs[1].findings.push_back({Severity::kNote, code, "A finding."});
+  return checkup;
+}
+
+// A model of each axis alone would be biased.
+TEST(NextStep, FitsAxesThatCoupleAsOneMotion) {
+  const LogCheckup checkup = OfSurgeAndSway("other_axes");
+  EXPECT_THAT(NextStep(checkup), testing::EndsWith(" --dofs=surge,sway --model=coupled.json"));
+  EXPECT_THAT(PlanSteps(checkup), testing::IsEmpty());
+  EXPECT_THAT(NextStep(OfSurgeAndSway("")), testing::EndsWith("; likewise sway"));
+}
+
+TEST(PlanSteps, WriteAFolderForEachAxis) {
+  EXPECT_THAT(
+      PlanSteps(OfSurgeAndSway("")),
+      testing::ElementsAre(testing::EndsWith("plan_surge"), testing::EndsWith("plan_sway")));
+  EXPECT_THAT(PlanSteps(CheckUp(WriteTable(1.0), Dof::kSurge)),
+              testing::ElementsAre(testing::EndsWith("--out=plan")));
+}
+
+TEST(Verdict, LeavesNoAxisUnknownByTheModelOfAnother) {
+  LogCheckup checkup = OfSurgeAndSway("poor_fit");
+  checkup.dofs[0].findings.push_back({Severity::kNote, "other_axes", "A finding."});
+  EXPECT_EQ(Verdict(checkup),
+            "A model of sway from this log fits poorly. The log leaves quadratic_damping of surge "
+            "and quadratic_damping of sway unknown. Other axes act on surge: a model of one axis "
+            "alone is biased.");
+}
+
 TEST(NextStep, QuotesAFileForAShell) {
   const std::filesystem::path table = WriteTable(1.0, "my table.csv");
   EXPECT_EQ(
