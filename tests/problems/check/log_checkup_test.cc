@@ -4,8 +4,10 @@
 #include "fathom/check/log_checkup.h"
 
 #include "fathom/check/checkup_json.h"
+#include "fathom/check/checkup_text.h"
 #include "fathom/check/checkup_verdict.h"
 #include "fathom/open_log/open_log.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <cmath>
 #include <filesystem>
@@ -123,6 +125,12 @@ TEST(Verdict, LeavesNoAxisUnknownByTheModelOfAnother) {
             "A model of sway from this log fits poorly. The log leaves quadratic_damping of surge "
             "and quadratic_damping of sway unknown. Other axes act on surge: a model of one axis "
             "alone is biased.");
+}
+
+// The vehicle floats freely: an interval of a few thousandths of the force beside a value of 0.
+TEST(DeterminedTable, JudgesABuoyancyByTheGreatestForce) {
+  const LogCheckup checkup = CheckUp(WriteTable(1.0), Dof::kSurge);
+  EXPECT_EQ(DeterminedTable(checkup, checkup.dofs[0]).rows[kBuoyancy].cells.back(), "well");
 }
 
 TEST(NextStep, QuotesAFileForAShell) {
