@@ -6,6 +6,7 @@
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
 #include "fathom/base/shell_word.h"
+#include "fathom/check/unusual_mass.h"
 #include "fathom/findings/camera_clock.h"
 #include "fathom/findings/command_check.h"
 #include "fathom/findings/command_clock.h"
@@ -139,6 +140,9 @@ void Identify(const Log& log, DofCheckup* checkup) {
          "no_model",
          fmt::format("There is no usable model: {}", identified.result.message)});
   }
+  // A warning on the same inertia says more.
+  auto heavy = CheckUsualMass(log, checkup->dof, identified.result);
+  if (heavy && !Has(checkup->findings, "inertia")) checkup->findings.push_back(*std::move(heavy));
   if (const auto poor = PoorFitOf(identified.result.fitted)) {
     checkup->findings.push_back(FindingOn(*poor));
     std::erase(identified.result.fitted.caveats, CaveatOn(*poor));

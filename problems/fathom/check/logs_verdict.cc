@@ -4,8 +4,7 @@
 #include "fathom/check/logs_verdict.h"
 
 #include "fathom/base/short_number.h"
-#include "fathom/findings/inertia_check.h"
-#include "fathom/findings/log_check.h"
+#include "fathom/check/unusual_mass.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -50,22 +49,13 @@ std::string ClauseOn(std::span<const CheckedLog> logs,
   return fmt::format("{} {}", fmt::join(paths, ", "), paths.size() == 1 ? of_one : of_several);
 }
 
-// An inertia above UsualInertia() over the dry mass of the log; nothing where it is not, or no mass
-// is known.
-std::optional<double> UnusualMasses(const CheckedLog& log, Dof dof) {
-  const DofCheckup* const of_dof = FindDof(log.checkup, dof);
-  if (of_dof == nullptr || of_dof->model->fitted.force_unit != ForceUnit(dof)) return std::nullopt;
-  const std::optional<Body> body = BodyOf({&log.checkup.log, 1});
-  if (!body) return std::nullopt;
-  const double inertia = of_dof->model->fitted.model.inertia;
-  if (!(inertia > UsualInertia(dof, *body))) return std::nullopt;
-  return inertia / body->mass;
-}
-
 std::string ClauseOnInertia(std::span<const CheckedLog> logs, Dof dof) {
   std::vector<double> masses;
   for (const CheckedLog& log : logs) {
-    if (const auto unusual = UnusualMasses(log, dof)) masses.push_back(*unusual);
+    const DofCheckup* const of_dof = FindDof(log.checkup, dof);
+    if (of_dof == nullptr) continue;
+    const auto unusual = UnusualMasses(log.checkup.log, dof, *of_dof->model);
+    if (unusual) masses.push_back(*unusual);
   }
   if (masses.empty()) return "";
   const auto [least, most] = std::ranges::minmax(masses);

@@ -63,6 +63,11 @@ constexpr Entry kAdvice[] = {
      {"Little: a fit runs through it by the command alone. One of over 30 s cuts the log into "
       "pieces; in a model of several DOFs, one of over 2 s does.",
       "Find out why the sensor paused."}},
+    {"heavy",
+     {"None, if the vehicle is flat or floods. Otherwise all parameters are too large by one "
+      "factor.",
+      "Check `mass`, and the units of command and motion. A vehicle file with `size` says how flat "
+      "the vehicle is."}},
     {"held_samples",
      {"The motion comes late, by half the interval on average, and noise seems to be small.",
       "Export the sensor at its own rate."}},

@@ -133,6 +133,19 @@ TEST(DeterminedTable, JudgesABuoyancyByTheGreatestForce) {
   EXPECT_EQ(DeterminedTable(checkup, checkup.dofs[0]).rows[kBuoyancy].cells.back(), "well");
 }
 
+// 20 kg. Five times the mass would be a warning.
+TEST(CheckUp, NotesAnInertiaOfUnusuallyManyMasses) {
+  Log log = OpenLog(WriteTable(1.0), {.dof = Dof::kSurge});
+  const auto findings = [&](double mass) {
+    log.mass = mass;
+    return CheckUp(log, {.dof = Dof::kSurge}).dofs[0].findings;
+  };
+  EXPECT_THAT(findings(5.0), Contains(IsOf("heavy", Severity::kNote)));
+  EXPECT_THAT(findings(10.0), Not(Contains(Field(&Finding::code, "heavy"))));
+  EXPECT_THAT(findings(1.0), Contains(IsOf("inertia", Severity::kWarning)));
+  EXPECT_THAT(findings(1.0), Not(Contains(Field(&Finding::code, "heavy"))));
+}
+
 TEST(NextStep, QuotesAFileForAShell) {
   const std::filesystem::path table = WriteTable(1.0, "my table.csv");
   EXPECT_EQ(
