@@ -17,7 +17,9 @@
 #include "fathom/check/logs_checkup.h"
 #include "fathom/check/logs_text.h"
 #include "fathom/log/hold_out.h"
+#include "fathom/open_log/open_log.h"
 #include "fathom/tool/correct_flag.h"
+#include "fathom/tool/default_vehicle_flag.h"
 #include "fathom/tool/dof_flag.h"
 #include "fathom/tool/held_out_flag.h"
 #include "fathom/tool/log_flags.h"
@@ -29,7 +31,9 @@
 #include "fathom/tool/wide_flag.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,6 +63,19 @@ const ToolInfo kInfo = {
     "0: no finding is red; 1: a log or a flag cannot be used; 2: a finding is red. A log of "
     "--archive that cannot be used stands in its table and changes no exit code"};
 
+LogCheckup CheckUpByFlags(const std::filesystem::path& path) {
+  Log log = OpenLog(path,
+                    {.dof = DofFromFlag(),
+                     .held_out = HeldOutFromFlag(),
+                     .corrections = CorrectionsFromFlag(),
+                     .may_lack_motion = true,
+                     .may_lack_command = true},
+                    DefaultVehicleFromFlag());
+  return CheckUp(
+      std::move(log),
+      {.dof = DofFromFlag(), .data_flags = GivenFlags({"held_out", "correct", "default_vehicle"})});
+}
+
 // Several logs: which of them carry the information.
 int CheckLogs(const std::vector<std::string>& paths) {
   std::vector<CheckedLog> checked;
@@ -67,8 +84,7 @@ int CheckLogs(const std::vector<std::string>& paths) {
   bool has_red = false;
   for (const std::string& path : paths) {
     progress.Show(static_cast<int>(checked.size()), static_cast<int>(paths.size()), "");
-    checked.push_back(
-        {path, "", CheckUp(path, DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag())});
+    checked.push_back({path, "", CheckUpByFlags(path)});
     has_red |= HasRed(checked.back().checkup);
     logs.push_back(checked.back().checkup.log);
   }
@@ -87,8 +103,7 @@ int CheckLog() {
   const std::vector<std::string> paths = LogPathsFromFlags();
   RequireOutputs({{"report", FLAGS_report}, {"json", FLAGS_json}}, paths);
   if (paths.size() > 1) return CheckLogs(paths);
-  const LogCheckup checkup =
-      CheckUp(paths.front(), DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag());
+  const LogCheckup checkup = CheckUpByFlags(paths.front());
   RequireHeldOutInside(HeldOutFromFlag(), {&checkup.log, 1});
   PrintText(stdout, FormatCheckup(checkup));
   if (!FLAGS_json.empty()) WriteFile(FLAGS_json, FormatCheckupJson(checkup));
@@ -115,7 +130,7 @@ int CheckArchive() {
     CheckedLog one = {PathText(log.path), "", {}};
     try {
       if (log.is_recording) throw InputError("a recording: fathom_import comes first.");
-      one.checkup = CheckUp(log.place, DofFromFlag(), HeldOutFromFlag(), CorrectionsFromFlag());
+      one.checkup = CheckUpByFlags(log.place);
       has_red |= HasRed(one.checkup);
     } catch (const InputError& error) {
       one.message = error.what();

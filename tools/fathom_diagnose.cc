@@ -145,6 +145,7 @@ Logs LogsFromFlags() {
   const std::optional<Dof> dof = DofFromFlag();
   Logs logs;
   logs.all = ReadLogsFromFlags(dof, false, true);
+  RequireDofOrDofs(logs.all, dof);
   logs.dof = DofOfAll(logs.all, dof);
   logs.origin = OriginOfPage(logs.all);
   logs.fingerprints = FingerprintsOf(logs.all);

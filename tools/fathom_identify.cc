@@ -99,6 +99,7 @@ LogIdentificationOptions OptionsFromFlags() {
 
 std::vector<Log> LogsFromFlags(const LogIdentificationOptions& options) {
   std::vector<Log> logs = ReadLogsFromFlags(options.dof, false, true);
+  RequireDofOrDofs(logs, options.dof);
   if (options.source == Source::kCamera || options.family == Family::kJoint) {
     for (Log& log : logs) AddCameraSource(&log);
   }

@@ -9,6 +9,7 @@
 #include "fathom/base/files/temporary.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/import/convert/import_log.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
@@ -131,12 +132,13 @@ std::string WhatItHolds(const Contents& contents) {
 // Of a recording that holds none of what a map needs.
 std::string NothingRecognised(const std::filesystem::path& file, const Contents& contents) {
   return fmt::format(
-      "{0}: nothing in it was recognised, expected {1}. It holds {2}. fathom_import --from={0} "
+      "{0}: nothing in it was recognised, expected {1}. It holds {2}. fathom_import --from={3} "
       "--list tells more. Write into a map which of it is the command and the motion, as "
       "docs/import.md shows.",
       file.string(),
       WhatIsLookedFor(contents.format),
-      WhatItHolds(contents));
+      WhatItHolds(contents),
+      ShellWord(file.string()));
 }
 
 // On stderr. Its remarks may say why.
@@ -168,6 +170,11 @@ int Suggest(const std::filesystem::path& file) {
   return kExitUsable;
 }
 
+// For a command that is proposed.
+std::string VehicleForShell() {
+  return FLAGS_vehicle.empty() ? "" : " --vehicle=" + ShellWord(FLAGS_vehicle);
+}
+
 // The text of the map to go by: that of --map, or one that the format makes sure of.
 std::string MapText(const std::filesystem::path& file, const std::optional<Vehicle>& vehicle) {
   if (!FLAGS_map.empty()) return ReadFile(FLAGS_map);
@@ -178,29 +185,32 @@ std::string MapText(const std::filesystem::path& file, const std::optional<Vehic
     throw InputError(fmt::format(
         "{0}: {1}. Expected with --map a map that says which output drives which thruster, and "
         "which "
-        "way round. This prints one to edit: fathom_import --from={0} --suggest{2} > map.yaml",
+        "way round. This prints one to edit: fathom_import --from={2} --suggest{3} > map.yaml",
         file.string(),
         suggested.unknown,
-        FLAGS_vehicle.empty() ? "" : " --vehicle=" + FLAGS_vehicle));
+        ShellWord(file.string()),
+        VehicleForShell()));
   }
   if (!suggested.why_not_ready.empty()) {
     throw InputError(fmt::format(
         "--vehicle={0}: does not go with {1}: {2}. Expected the vehicle of the log, or with --map "
         "a "
         "map that says which output drives which thruster. This prints one to edit: fathom_import "
-        "--from={1} --suggest > map.yaml",
+        "--from={3} --suggest > map.yaml",
         FLAGS_vehicle,
         file.string(),
-        suggested.why_not_ready));
+        suggested.why_not_ready,
+        ShellWord(file.string())));
   }
   if (!suggested.NamesAStream() && !suggested.needs_vehicle) {
     throw InputError("--map: is missing. " + NothingRecognised(file, recording->contents()));
   }
   throw InputError(fmt::format(
       "--map: is missing, expected a map file that says what the channels of {0} are. This prints "
-      "one to edit: fathom_import --from={0} --suggest{1} > map.yaml{2}",
+      "one to edit: fathom_import --from={1} --suggest{2} > map.yaml{3}",
       file.string(),
-      FLAGS_vehicle.empty() ? "" : " --vehicle=" + FLAGS_vehicle,
+      ShellWord(file.string()),
+      VehicleForShell(),
       suggested.needs_vehicle ? "\nOr give --vehicle, whose thrusters the outputs drive, as "
                                 "data/vehicles/bluerov2_heavy.yaml."
                               : ""));

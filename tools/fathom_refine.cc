@@ -277,6 +277,7 @@ int RunRefine() {
   if (!FLAGS_trajectory.empty() && logs.size() > 1) {
     throw InputError("--trajectory: holds the poses of one log, expected a single --log with it.");
   }
+  RequireDofOrDofs(logs, given);
   const Dof dof = DofOfAll(logs, given);
   std::vector<std::string> fingerprints = FingerprintsOf(logs);
   const MarkerLogs markers = PrepareMarkerLogs(std::move(logs), dof);

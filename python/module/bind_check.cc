@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "fathom/base/shell_word.h"
 #include "fathom/check/checkup_json.h"
 #include "fathom/check/checkup_page.h"
 #include "fathom/check/checkup_text.h"
@@ -25,8 +26,12 @@ LogCheckup CheckInPython(const py::object& log, const std::optional<std::string>
   if (dof) asked = ParseArgument("dof", *dof, ParseDof);
   std::vector<OpenedLog> logs = LogsOfArgument(log, asked);
   if (logs.size() > 1) throw InputError("log: names several, expected one.");
+  CheckUpOptions options{.dof = asked};
+  if (const std::string& held_out = logs.front().held_out; !held_out.empty()) {
+    options.data_flags = " --held_out=" + ShellWord(held_out);
+  }
   const py::gil_scoped_release release;
-  return CheckUp(std::move(logs.front().log), asked);
+  return CheckUp(std::move(logs.front().log), options);
 }
 
 std::string PageText(const LogCheckup& checkup) {

@@ -131,7 +131,7 @@ std::vector<Mistake> Table() {
        Driven([](double t, double) { return std::clamp(Tones(t), -14.0, 14.0); }),
        "yellow",
        "clipped_command",
-       "stands at its limit of 14"},
+       "stands at its limit of 14 N for"},
       {"ClosedLoop",
        Driven([](double t, double v) { return 60.0 * (0.5 * std::sin(0.3 * t) - v); }),
        "yellow",

@@ -65,7 +65,7 @@ TEST_F(DiagnoseRefusals, ALogOfSeveralDofsWithoutSayingWhich) {
   WriteTestFile(log_ / "log.yaml", "name: small\ndof: [surge, yaw]\n");
   EXPECT_EQ(Refused({}),
             "fathom_diagnose: --dof: is missing, and " + (log_ / "log.yaml").string() +
-                " names 2 DOFs; say which.\n");
+                " names 2 DOFs; say which, or take them as one motion with --dofs=surge,yaw.\n");
 }
 
 // The heave of the second log is not what the surge of the first one lacks.

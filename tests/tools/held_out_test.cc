@@ -46,13 +46,17 @@ ToolRun RunOn(const Asked& asked, const Path& log, const std::string& held_out =
   return RunToolBinary(asked.tool, arguments);
 }
 
-// What was printed, with every path of the log called LOG.
+// What was printed, with every path of the log called LOG, and without --held_out in the command
+// that is proposed.
 std::string OutOf(const ToolRun& run, const Path& log) {
   std::string out = run.out;
-  const std::string path = log.string();
-  for (auto at = out.find(path); at != std::string::npos; at = out.find(path)) {
-    out.replace(at, path.size(), "LOG");
-  }
+  const auto replace = [&](const std::string& text, const std::string& by) {
+    for (auto at = out.find(text); at != std::string::npos; at = out.find(text)) {
+      out.replace(at, text.size(), by);
+    }
+  };
+  replace(log.string(), "LOG");
+  replace(" --held_out=10:20,45:60", "");
   return out;
 }
 
@@ -69,6 +73,14 @@ TEST(HeldOut, TakesThePlaceOfLogYamls) {
       EXPECT_NE(OutOf(RunOn(asked, other), other), OutOf(expected, log)) << asked.tool;
     }
   }
+}
+
+// A fit of all data would be judged by what it was trained on.
+TEST(HeldOut, IsPartOfTheCommandThatACheckProposes) {
+  const Path csv = WriteTestFile(EmptyTestFolder() / "small.csv", SmallSingleCsv());
+  const ToolRun run = RunOn({"fathom_check", {"--dof=surge", "--correct=v:1.5"}}, csv, "45:60");
+  EXPECT_THAT(run.out,
+              HasSubstr("--log=" + csv.string() + " --held_out=45:60 --correct=v:1.5 --dof=surge"));
 }
 
 TEST(HeldOut, HoldsDataOutOfASingleCsv) {

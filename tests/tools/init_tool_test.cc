@@ -48,6 +48,12 @@ Path WriteStreams(const Path& folder) {
   return folder;
 }
 
+TEST(InitTool, QuotesAFolderWithASpaceInTheCommandToType) {
+  const Path log = WriteStreams(EmptyTestFolder() / "my tank");
+  EXPECT_THAT(RunsWell(Init(log)).out,
+              HasSubstr("\n  fathom_check --log='" + log.string() + "'\n"));
+}
+
 TEST(InitTool, MakesALogOfStreamsThatIdentifies) {
   const Path log = WriteStreams(EmptyTestFolder() / "tank");
   const ToolRun run = RunsWell(Init(log));

@@ -4,6 +4,7 @@
 #include "fathom/adaptive/usable_estimate.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/base/short_number.h"
 
 #include <fmt/format.h>
 
@@ -26,10 +27,9 @@ std::string WhyUnusable(const UncoupledModel<double>& model, double inertia_std)
            "motion. Check its sign, its unit and the clocks.";
   }
   if (!(inertia_std < kMostScatter * model.inertia)) {
-    return fmt::format(
-        "The inertia did not converge: {:.4g} ± {:.2g} over the last third of the pass.",
-        model.inertia,
-        kStdsOf95 * inertia_std);
+    return fmt::format("The inertia did not converge: {:.4g} ± {} over the last third of the pass.",
+                       model.inertia,
+                       ShortNumber(kStdsOf95 * inertia_std, 2));
   }
   return "";
 }

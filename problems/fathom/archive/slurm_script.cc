@@ -5,6 +5,7 @@
 
 #include "fathom/archive/jobs/log_jobs.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 
 #include <fmt/format.h>
 
@@ -12,13 +13,6 @@ namespace fathom {
 namespace {
 
 namespace fs = std::filesystem;
-
-// For a POSIX shell.
-std::string ShellWord(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
 
 std::string FlagsOf(const BatchOptions& options) {
   std::string flags = fmt::format("--jobs={} --time_limit={} --memory_limit={} --diagnose={}",

@@ -133,7 +133,7 @@ std::string RenderCheckupPage(const LogCheckup& checkup, const PageOrigin& origi
     if (Table table = DeterminedTable(checkup, dof); !table.rows.empty()) {
       table.caption = fmt::format(
           "How well this log knows the parameters (95 %{}): well within 20 %, roughly within "
-          "100 %{}.",
+          "100 %; the buoyancy by the greatest force{}.",
           dof.model->std_with_delay ? ", with an unknown delay of the command" : "",
           WordsOnDoubt(checkup, dof));
       section.tables = {std::move(table)};

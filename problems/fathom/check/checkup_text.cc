@@ -136,7 +136,7 @@ std::string FormatCheckup(const LogCheckup& checkup) {
       text += "\n" + FormatTable(table) +
               fmt::format(
                   "known: {}the 95 % interval is within 20 % of the value (well), within "
-                  "100 % (roughly) or wider (not){}\n",
+                  "100 % (roughly) or wider (not); the buoyancy goes by the greatest force{}\n",
                   dof.model->std_with_delay ? "with an unknown delay of the command, " : "",
                   WordsOnDoubt(checkup, dof));
     }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -20,6 +21,12 @@
 
 namespace fathom {
 namespace {
+
+std::vector<std::string> NamesOf(const std::vector<DofCheckup>& dofs) {
+  std::vector<std::string> names;
+  for (const DofCheckup& dof : dofs) names.emplace_back(Name(dof.dof));
+  return names;
+}
 
 // Those that nothing drives, and whose damping a free decay tells.
 std::vector<std::string> DecayingDofs(const LogCheckup& checkup) {
@@ -63,13 +70,17 @@ std::vector<std::string> UnknownParameters(const LogCheckup& checkup, bool of_se
 
 bool HasSurfaces(const LogCheckup& checkup) { return checkup.log.fins || checkup.log.shafts; }
 
-// Fins and shafts act in a model of several DOFs alone.
-std::string CoupledStep(const LogCheckup& checkup) {
-  std::vector<std::string_view> dofs;
-  for (const DofCheckup& dof : checkup.dofs) dofs.push_back(Name(dof.dof));
-  return fmt::format("fathom_identify --log={} --dofs={} --model=coupled.json",
-                     checkup.log.path.string(),
+// Where fins or shafts drive the log, which act in a model of several DOFs alone, or where other
+// axes act on one.
+std::string CoupledStep(const LogCheckup& checkup, const std::vector<std::string>& dofs) {
+  return fmt::format("fathom_identify {} --dofs={} --model=coupled.json",
+                     LogFlags(checkup.log, checkup.asked),
                      fmt::join(dofs, ","));
+}
+
+// Whether a model of each axis alone is biased, and one of them all is not.
+bool TakesCoupledModel(const LogCheckup& checkup) {
+  return UsableDofs(checkup).size() > 1 && !DofsWith("other_axes", checkup).empty();
 }
 
 }  // namespace
@@ -115,9 +126,9 @@ std::string Verdict(const LogCheckup& checkup) {
   }
   if (good.empty()) {
     return fmt::format(
-        "A model of {} from this log fits poorly{}.{}",
+        "A model of {} from this log fits poorly.{}{}",
         Listed(poor),
-        unknown.empty() ? "" : fmt::format(" and leaves {} unknown", Listed(unknown)),
+        unknown.empty() ? "" : fmt::format(" The log leaves {} unknown.", Listed(unknown)),
         of_driven);
   }
   return fmt::format(
@@ -129,18 +140,25 @@ std::string Verdict(const LogCheckup& checkup) {
 }
 
 std::string NextStep(const LogCheckup& checkup) {
-  const std::string log = checkup.log.path.string();
-  if (HasRed(checkup)) return fmt::format("mend what is red, then fathom_check --log={}", log);
-  if (Has(checkup.findings, "not_tracked")) return fmt::format("fathom_track --log={}", log);
+  const std::string log = LogFlags(checkup.log, checkup.asked);
+  const std::optional<Dof> dof = checkup.asked.dof;
+  if (HasRed(checkup)) {
+    return fmt::format("mend what is red, then fathom_check {}{}",
+                       log,
+                       dof ? fmt::format(" --dof={}", Name(*dof)) : "");
+  }
+  // It reads images, which no other flag is about.
+  if (Has(checkup.findings, "not_tracked")) return "fathom_track " + LogFlags(checkup.log, {});
   const std::vector<std::string> usable = UsableDofs(checkup);
   if (const std::vector<std::string> decays = DecayingDofs(checkup);
       usable.empty() && !decays.empty()) {
-    return fmt::format("fathom_identify --log={} --dof={}", log, decays[0]);
+    return fmt::format("fathom_identify {} --dof={}", log, decays[0]);
   }
-  if (usable.empty() && HasSurfaces(checkup)) return CoupledStep(checkup);
+  if (usable.empty() && HasSurfaces(checkup)) return CoupledStep(checkup, NamesOf(checkup.dofs));
   if (usable.empty()) return "drive what this log lacks, or fit it together with other logs";
+  if (TakesCoupledModel(checkup)) return CoupledStep(checkup, usable);
   const std::string step =
-      fmt::format("fathom_identify --log={} --dof={} --model={}.json", log, usable[0], usable[0]);
+      fmt::format("fathom_identify {} --dof={} --model={}.json", log, usable[0], usable[0]);
   if (usable.size() == 1) return step;
   return fmt::format("{}; likewise {}", step, Listed({usable.begin() + 1, usable.end()}));
 }
@@ -148,9 +166,16 @@ std::string NextStep(const LogCheckup& checkup) {
 std::vector<std::string> PlanSteps(const LogCheckup& checkup) {
   std::vector<std::string> steps;
   if (HasRed(checkup) || Has(checkup.findings, "not_tracked")) return steps;
+  if (TakesCoupledModel(checkup)) return steps;  // there is no model of one DOF then
+  std::vector<const DofCheckup*> open;
   for (const DofCheckup& dof : checkup.dofs) {
-    if (UnknownOf(checkup, dof).empty()) continue;
-    std::string step = PlanCommandOfModel(dof.model->fitted, fmt::format("{}.json", Name(dof.dof)));
+    if (!UnknownOf(checkup, dof).empty()) open.push_back(&dof);
+  }
+  for (const DofCheckup* const dof : open) {
+    const std::string_view name = Name(dof->dof);
+    std::string step = PlanCommandOfModel(dof->model->fitted,
+                                          fmt::format("{}.json", name),
+                                          open.size() == 1 ? "plan" : fmt::format("plan_{}", name));
     if (!step.empty()) steps.push_back(std::move(step));
   }
   return steps;

@@ -17,7 +17,8 @@ std::string Verdict(const LogCheckup& checkup);
 std::string NextStep(const LogCheckup& checkup);
 
 // Commands that plan the experiment which tells what this log leaves unknown, each for the model
-// file that NextStep() writes; none where all is known, or fathom_plan would refuse the model.
+// file that NextStep() writes, into a folder of its own; none where all is known, or fathom_plan
+// would refuse the model.
 std::vector<std::string> PlanSteps(const LogCheckup& checkup);
 
 // The DOFs that a model comes of.

@@ -12,10 +12,19 @@
 namespace fathom {
 namespace {
 
-// How well the interval leaves a value known.
-std::string_view HowWellKnown(double value, double std) {
+// What the interval of a parameter is held against. A buoyancy may well be 0: its size is the
+// greatest force of the command, as docs/plan.md has it.
+double SizeOf(const FittedModel& model, int index) {
+  const double value = std::abs(ToVector(model.model)[index]);
+  if (index != kBuoyancy || !model.range) return value;
+  const ValueRange& force = model.range->force;
+  return std::max({value, std::abs(force.low), std::abs(force.high)});
+}
+
+// How well the interval leaves a parameter of this size known.
+std::string_view HowWellKnown(double size, double std) {
   constexpr double kWell = 0.2, kRoughly = 1.0;
-  const double share = kStdsOf95 * std / std::abs(value);
+  const double share = kStdsOf95 * std / size;
   if (share <= kWell) return "well";
   return share <= kRoughly ? "roughly" : "not";
 }
@@ -34,7 +43,7 @@ std::string_view HowWellKnown(const LogCheckup& checkup, const DofCheckup& dof, 
   const Identification& model = *dof.model;
   const double std = StdOf(model.fitted, index);
   const std::string_view known =
-      HowWellKnown(ToVector(model.fitted.model)[index],
+      HowWellKnown(SizeOf(model.fitted, index),
                    model.std_with_delay ? std::max(std, (*model.std_with_delay)[index]) : std);
   return known != "not" && IsBiased(checkup, dof) ? "in doubt" : known;
 }

@@ -5,6 +5,8 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/median.h"
+#include "fathom/base/shell_word.h"
+#include "fathom/check/unusual_mass.h"
 #include "fathom/findings/camera_clock.h"
 #include "fathom/findings/command_check.h"
 #include "fathom/findings/command_clock.h"
@@ -73,12 +75,11 @@ std::vector<Finding> FindingsWithoutFit(const Log& log, Dof dof) {
 
 std::string HowToAddMass(const Log& log) {
   if (!IsSingleCsv(log)) return fmt::format("Add `mass:` (dry, in kg) to {}.", PlaceOfKeys(log));
-  const std::string file = log.path.string();
   return fmt::format(
       "A log folder tells it: fathom_import --from={0} --suggest > map.yaml, add `mass:` (dry, in "
       "kg) to map.yaml, then fathom_import --from={0} --map=map.yaml --out={1}.",
-      file,
-      log.path.stem().string());
+      ShellWord(log.path.string()),
+      ShellWord(log.path.stem().string()));
 }
 
 // A vehicle file that is missing or has no mass has a remark of its own. A turn is held against no
@@ -132,13 +133,16 @@ void Identify(const Log& log, DofCheckup* checkup) {
   if (auto finding = CheckCommandClock(checkup->command, segments)) {
     checkup->findings.push_back(*std::move(finding));
   }
-  Add(CheckCommand(checkup->command, segments), &checkup->findings);
+  Add(CheckCommand(checkup->command, segments, checkup->signals->force_unit), &checkup->findings);
   if (!identified.result.is_usable) {
     checkup->findings.push_back(
         {Severity::kNote,
          "no_model",
          fmt::format("There is no usable model: {}", identified.result.message)});
   }
+  // A warning on the same inertia says more.
+  auto heavy = CheckUsualMass(log, checkup->dof, identified.result);
+  if (heavy && !Has(checkup->findings, "inertia")) checkup->findings.push_back(*std::move(heavy));
   if (const auto poor = PoorFitOf(identified.result.fitted)) {
     checkup->findings.push_back(FindingOn(*poor));
     std::erase(identified.result.fitted.caveats, CaveatOn(*poor));
@@ -148,7 +152,7 @@ void Identify(const Log& log, DofCheckup* checkup) {
 }
 
 // What a log that nothing drives tells. It lacks no command then: that is no finding.
-void LookAtDecay(const Log& log, DofCheckup* checkup) {
+void LookAtDecay(const Log& log, const CheckUpOptions& options, DofCheckup* checkup) {
   const Dof dof = checkup->dof;
   if ((log.fins || log.shafts) && !log.command) return;  // they drive it
   LogDecay decay;
@@ -177,11 +181,11 @@ void LookAtDecay(const Log& log, DofCheckup* checkup) {
        decay.inertia ? "scaled_decay" : "free_decay",
        fmt::format(
            "{}, so that this is a free decay, from {}. It tells {}. "
-           "fathom_identify --log={} --dof={}",
+           "fathom_identify {} --dof={}",
            log.command ? "The command is 0 throughout" : "There is no command",
            TimesOf(decay.stretches.front(), MotionStream(log, dof, decay.source).time.front()),
            QuantitiesText(decay),
-           log.path.string(),
+           LogFlags(log, options),
            Name(dof))});
 }
 
@@ -193,23 +197,20 @@ std::string PlaceOfKeys(const Log& log) {
   return log.origin ? "the map of the import" : "log.yaml";
 }
 
-LogCheckup CheckUp(const std::filesystem::path& path,
-                   std::optional<Dof> dof,
-                   const std::vector<TimeInterval>& held_out,
-                   const std::vector<Correction>& corrections) {
-  return CheckUp(OpenLog(path,
-                         {.dof = dof,
-                          .held_out = held_out,
-                          .corrections = corrections,
-                          .may_lack_motion = true,
-                          .may_lack_command = true}),
-                 dof);
+std::string LogFlags(const Log& log, const CheckUpOptions& options) {
+  return "--log=" + ShellWord(log.path.string()) + options.data_flags;
 }
 
-LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
+LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof) {
+  return CheckUp(OpenLog(path, {.dof = dof, .may_lack_motion = true, .may_lack_command = true}),
+                 {.dof = dof});
+}
+
+LogCheckup CheckUp(Log log, const CheckUpOptions& options) {
   if (!log.velocity && !log.pose && log.detections && log.command) TrackDetectionsIfUsable(&log);
   const Survey survey = SurveyOf(log);
   LogCheckup checkup;
+  checkup.asked = options;
   checkup.streams = StreamsOf(log);
   checkup.findings = CheckTwoMotions(log);
   Add(CheckPoseJumps(log), &checkup.findings);
@@ -228,7 +229,7 @@ LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
                                 "The motion is in images alone: fathom_track comes first."});
   }
   for (const SurveyedDof& surveyed : survey.dofs) {
-    if (dof && surveyed.dof != *dof) continue;
+    if (options.dof && surveyed.dof != *options.dof) continue;
     const bool may_decay = IsFreeDecay(log, surveyed.dof) && !SourcesOf(log, surveyed.dof).empty();
     DofCheckup of_dof;
     of_dof.dof = surveyed.dof;
@@ -238,7 +239,7 @@ LogCheckup CheckUp(Log log, std::optional<Dof> dof) {
     } else {
       of_dof.findings = FindingsWithoutFit(log, of_dof.dof);
     }
-    if (may_decay) LookAtDecay(log, &of_dof);
+    if (may_decay) LookAtDecay(log, options, &of_dof);
     of_dof.findings = WarningsFirst(std::move(of_dof.findings));
     checkup.dofs.push_back(std::move(of_dof));
   }

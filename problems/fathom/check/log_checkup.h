@@ -44,9 +44,18 @@ struct DofCheckup {
   std::optional<Identification> model;  // by output error; how well its parameters are known
 };
 
+struct CheckUpOptions {
+  std::optional<Dof> dof = {};  // only that one, or what a single CSV is of
+
+  // What else a command names to read the log as it was read, for the commands that are proposed:
+  // " --held_out=240:300".
+  std::string data_flags = {};
+};
+
 // What is to be known of a log before any fit; docs/check.md.
 struct LogCheckup {
-  Log log;  // as it was opened
+  Log log;               // as it was opened
+  CheckUpOptions asked;  // what was asked for
   std::vector<StreamSummary> streams;
   std::vector<Finding> findings;  // of no single DOF
   std::vector<DofCheckup> dofs;   // those that log.yaml names, else those that are commanded
@@ -58,16 +67,15 @@ bool IsSingleCsv(const Log& log);
 // Where a key of a log folder is written: "log.yaml", or what that is made from.
 std::string PlaceOfKeys(const Log& log);
 
-// Opens a log and looks at it: all checks of the library `check`, and for each DOF how well a fit
-// by output error knows the parameters. `dof`: only that one, or what a single CSV is of.
-// `held_out` and `corrections`: as ReadLogOptions has them. Throws InputError as OpenLog() does.
-LogCheckup CheckUp(const std::filesystem::path& path,
-                   std::optional<Dof> dof,
-                   const std::vector<TimeInterval>& held_out = {},
-                   const std::vector<Correction>& corrections = {});
+// How a proposed command names the log: "--log=run.csv --held_out=240:300".
+std::string LogFlags(const Log& log, const CheckUpOptions& options);
 
-// The same of a log that was opened already; it may lack the command or the motion.
-LogCheckup CheckUp(Log log, std::optional<Dof> dof);
+// Looks at a log: all checks of the library `check`, and for each DOF how well a fit by output
+// error knows the parameters. It may lack the command or the motion.
+LogCheckup CheckUp(Log log, const CheckUpOptions& options);
+
+// The same of a log as OpenLog() opens it, which may throw InputError.
+LogCheckup CheckUp(const std::filesystem::path& path, std::optional<Dof> dof);
 
 // All findings, those of the log and of its DOFs.
 std::vector<Finding> AllFindings(const LogCheckup& checkup);

@@ -4,6 +4,7 @@
 #include "fathom/check/logs_text.h"
 
 #include "fathom/base/files/json_text.h"
+#include "fathom/base/short_number.h"
 #include "fathom/check/checkup_json.h"
 #include "fathom/check/checkup_text.h"
 #include "fathom/check/left_out_dofs.h"
@@ -73,7 +74,7 @@ Table InformationTable(const std::vector<CheckedLog>& logs, const DofOfLogs& of_
     TableRow row = {{logs[i].path}};
     for (int p = 0; p < kNumParameters; ++p) {
       const double std = StdOf(ModelOf(logs, i, of_dof.dof).covariance, p);
-      std::string cell = fmt::format("{:.2g}", std);
+      std::string cell = ShortNumber(std, 2);
       if (of_dof.information) {
         const double share = of_dof.information->share(static_cast<Eigen::Index>(k), p);
         cell += fmt::format(" ({:.0f} %)", 100.0 * share);
@@ -85,7 +86,7 @@ Table InformationTable(const std::vector<CheckedLog>& logs, const DofOfLogs& of_
   if (!of_dof.information) return table;
   TableRow all = {{"all together"}};
   for (int p = 0; p < kNumParameters; ++p) {
-    all.cells.push_back(fmt::format("{:.2g}", StdOf(of_dof.information->covariance, p)));
+    all.cells.push_back(ShortNumber(StdOf(of_dof.information->covariance, p), 2));
   }
   table.rows.push_back(std::move(all));
   return table;

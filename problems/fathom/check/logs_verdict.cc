@@ -3,8 +3,8 @@
 
 #include "fathom/check/logs_verdict.h"
 
-#include "fathom/findings/inertia_check.h"
-#include "fathom/findings/log_check.h"
+#include "fathom/base/short_number.h"
+#include "fathom/check/unusual_mass.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -49,26 +49,17 @@ std::string ClauseOn(std::span<const CheckedLog> logs,
   return fmt::format("{} {}", fmt::join(paths, ", "), paths.size() == 1 ? of_one : of_several);
 }
 
-// An inertia above UsualInertia() over the dry mass of the log; nothing where it is not, or no mass
-// is known.
-std::optional<double> UnusualMasses(const CheckedLog& log, Dof dof) {
-  const DofCheckup* const of_dof = FindDof(log.checkup, dof);
-  if (of_dof == nullptr || of_dof->model->fitted.force_unit != ForceUnit(dof)) return std::nullopt;
-  const std::optional<Body> body = BodyOf({&log.checkup.log, 1});
-  if (!body) return std::nullopt;
-  const double inertia = of_dof->model->fitted.model.inertia;
-  if (!(inertia > UsualInertia(dof, *body))) return std::nullopt;
-  return inertia / body->mass;
-}
-
 std::string ClauseOnInertia(std::span<const CheckedLog> logs, Dof dof) {
   std::vector<double> masses;
   for (const CheckedLog& log : logs) {
-    if (const auto unusual = UnusualMasses(log, dof)) masses.push_back(*unusual);
+    const DofCheckup* const of_dof = FindDof(log.checkup, dof);
+    if (of_dof == nullptr) continue;
+    const auto unusual = UnusualMasses(log.checkup.log, dof, *of_dof->model);
+    if (unusual) masses.push_back(*unusual);
   }
   if (masses.empty()) return "";
   const auto [least, most] = std::ranges::minmax(masses);
-  const std::string low = fmt::format("{:.2g}", least), high = fmt::format("{:.2g}", most);
+  const std::string low = ShortNumber(least, 2), high = ShortNumber(most, 2);
   return fmt::format(
       "the inertia in {} is {} times the dry mass in {} of {} logs (up to 3 is usual)",
       Name(dof),

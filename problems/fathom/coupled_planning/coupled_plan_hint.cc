@@ -4,6 +4,7 @@
 #include "fathom/coupled_planning/coupled_plan_hint.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/coupled_planning/coupled_noise.h"
 #include "fathom/coupled_planning/drawn_coupled_models.h"
 #include "fathom/coupled_planning/verdict_rivals.h"

@@ -5,6 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/interval95.h"
+#include "fathom/base/short_number.h"
 #include "fathom/least_squares/regression.h"
 #include "fathom/report/format_value.h"
 
@@ -141,10 +142,10 @@ std::string WhyNoModel(const Lumped& lumped) {
   }
   if (alpha < half_width) {
     return fmt::format(
-        "The data do not determine the inertia: its inverse is {:.3g} ± {:.2g} (95 %), which "
+        "The data do not determine the inertia: its inverse is {:.3g} ± {} (95 %), which "
         "includes 0.",
         alpha,
-        half_width);
+        ShortNumber(half_width, 2));
   }
   return "";
 }
@@ -193,6 +194,8 @@ LeastSquaresSummary FitLeastSquares(std::span<const Segment> segments,
   summary.message = WhyNoModel(lumped);
   if (!summary.message.empty()) {
     const bool is_open = lumped.IsFinite() && lumped.alpha() > 0.0;
+    summary.has_wrong_sign =
+        lumped.IsFinite() && lumped.alpha() + kStdsOf95 * lumped.alpha_std() < 0.0;
     if (is_open) summary.not_determined = {kParameterInfo[kInertia].name};
     return summary;
   }

@@ -45,7 +45,8 @@ struct LeastSquaresSummary {
   // Largest over smallest singular value of the columns scaled to length 1.
   double condition_number = std::numeric_limits<double>::quiet_NaN();
 
-  int num_samples = 0;                      // that entered the fit
+  bool has_wrong_sign = false;  // the inertia would be negative, by its whole 95 % interval
+  int num_samples = 0;          // that entered the fit
   std::vector<std::string> not_determined;  // names of parameters that the data leave open
   std::vector<std::string> caveats;         // what the intervals do not cover, a sentence each
 

@@ -6,6 +6,7 @@
 #include "fathom/base/files/json_text.h"
 #include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/short_number.h"
 #include "fathom/log/log.h"
 #include "fathom/marker_trajectory/camera_source.h"
 #include "fathom/open_log/open_log.h"
@@ -102,8 +103,8 @@ std::vector<UndrivenDof> UndrivenOf(const Log& log, const std::vector<Dof>& cand
     const bool is_candidate = std::ranges::count(candidates, dof) > 0;
     if (is_driven && is_candidate) continue;
     undriven.push_back({dof,
-                        fmt::format("moves by {:.2g} {}, {}.",
-                                    motion,
+                        fmt::format("moves by {} {}, {}.",
+                                    ShortNumber(motion, 2),
                                     VelocityUnit(dof),
                                     is_driven ? "and `dof` in log.yaml does not name it"
                                               : "and nothing commands it")});

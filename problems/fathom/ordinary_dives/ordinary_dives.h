@@ -19,8 +19,9 @@ namespace fathom {
 // Logs of ordinary dives, and the model that they are judged by.
 struct OrdinaryRequest {
   FittedModel model;
-  std::string name;                         // of the model's file or logs, for messages
-  std::vector<std::string> logs;            // their paths
+  std::string name;               // of the model's file or logs, for messages
+  std::vector<std::string> logs;  // their paths
+  std::string data_flags;  // how else a command names them to read the same, " --correct=p:-1"
   std::vector<TimeInterval> spans;          // of each, held-out data included: first and last stamp
   std::vector<Segment> segments;            // of all logs, of one DOF
   std::vector<std::size_t> log_of_segment;  // an index into `logs` for each

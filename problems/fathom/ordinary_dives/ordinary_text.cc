@@ -5,6 +5,7 @@
 
 #include "fathom/base/interval95.h"
 #include "fathom/base/plural.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/report/format_value.h"
 
 #include <algorithm>
@@ -206,14 +207,15 @@ std::vector<std::string> HowToFitChosen(const OrdinaryRequest& request,
   };
   for (std::size_t k = 0; k < request.logs.size(); ++k) {
     if (!IsChosenFrom(dives, k)) continue;
-    logs += " --log=" + request.logs[k];
+    logs += " --log=" + ShellWord(request.logs[k]);
     if (request.logs.size() == 1) continue;
     const std::string rest = joined(k, "[{:.2f}, {:.2f}]", ", ");
     if (!rest.empty()) {
       lines.push_back(fmt::format("held_out: [{}] in the log.yaml of {}", rest, request.logs[k]));
     }
   }
-  std::string command = fmt::format("fathom_identify{} --dof={}", logs, Name(request.model.dof));
+  std::string command = fmt::format(
+      "fathom_identify{}{} --dof={}", logs, request.data_flags, Name(request.model.dof));
   if (request.logs.size() == 1) {
     const std::string rest = joined(0, "{:.2f}:{:.2f}", ",");
     if (rest.empty()) return {};

@@ -4,6 +4,7 @@
 #include "fathom/output_error/caveats.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/least_squares/least_squares.h"
 #include "fathom/report/format_value.h"
 #include "fathom/signal/filters/dominant_tone.h"
 
@@ -99,6 +100,13 @@ std::string TwoDigits(double value) {
   return RoundedAt(value, 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
 }
 
+// What a wrong sign looks like to least squares; empty where the sign is right or cannot be told.
+// Output error cannot reach a negative inertia: it ends at one without any motion.
+std::string WhyOfWrongSign(std::span<const Segment> segments) {
+  const LeastSquaresSummary least_squares = FitLeastSquares(segments);
+  return least_squares.has_wrong_sign ? least_squares.message : "";
+}
+
 }  // namespace
 
 std::string CaveatOnDamping(int parameter, double value, double std) {
@@ -154,6 +162,8 @@ void DescribeEvidence(std::span<const Segment> segments,
   const double half_width = HalfWidth(summary->covariance, kInertia);
   summary->determined = half_width < inertia;
   if (!summary->determined) {
+    summary->message = WhyOfWrongSign(segments);
+    if (!summary->message.empty()) return;
     summary->message =
         half_width < kBeyondMeaning * inertia
             ? fmt::format(

@@ -3,12 +3,7 @@
 
 #pragma once
 
-#include <string>
-
 namespace fathom {
-
-// A file name as a shell takes it for one word.
-std::string ShellWord(const std::string& word);
 
 // How long the run is that tools advise after a log of so many seconds: 60 to 300 s, of whole tens.
 double HintedDuration(double log_duration);

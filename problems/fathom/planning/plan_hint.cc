@@ -4,6 +4,7 @@
 #include "fathom/planning/plan_hint.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/planning/drawn_models.h"
 #include "fathom/planning/hinted_command.h"
 #include "fathom/planning/open_causes.h"
@@ -38,24 +39,28 @@ bool IsPlannable(const FittedModel& fitted, const OpenCauses& open) {
 std::string HintedCommand(const std::string& flag,
                           const std::string& file,
                           const FittedModel& fitted,
-                          const OpenCauses& open) {
+                          const OpenCauses& open,
+                          const std::string& out) {
   if (!IsPlannable(fitted, open)) return "";
-  return fmt::format("fathom_plan --{}={} --duration={:g} --out=plan",
+  return fmt::format("fathom_plan --{}={} --duration={:g} --out={}",
                      flag,
                      ShellWord(file),
-                     HintedDuration(fitted.train.duration));
+                     HintedDuration(fitted.train.duration),
+                     ShellWord(out));
 }
 
 }  // namespace
 
-std::string PlanCommandOfModel(const FittedModel& fitted, const std::string& file) {
-  return HintedCommand("model", file, fitted, {});
+std::string PlanCommandOfModel(const FittedModel& fitted,
+                               const std::string& file,
+                               const std::string& out) {
+  return HintedCommand("model", file, fitted, {}, out);
 }
 
 std::string PlanCommandOfVerdict(std::string_view text, const std::string& file) {
   const FittedModel fitted = ParseModel(file, text);
   const OpenCauses open = ReadOpenCauses(file, text, fitted);
-  return open.rivals.empty() ? "" : HintedCommand("verdict", file, fitted, open);
+  return open.rivals.empty() ? "" : HintedCommand("verdict", file, fitted, open, "plan");
 }
 
 }  // namespace fathom

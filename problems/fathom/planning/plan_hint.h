@@ -17,8 +17,10 @@ namespace fathom {
 // It lasts as long as the log, from 60 to 300 s, and goes no further than the log in force and
 // speed. Empty where fathom_plan would refuse the file.
 
-// From the file of a model.
-std::string PlanCommandOfModel(const FittedModel& fitted, const std::string& file);
+// From the file of a model, into the folder `out`.
+std::string PlanCommandOfModel(const FittedModel& fitted,
+                               const std::string& file,
+                               const std::string& out = "plan");
 
 // From a verdict file with this text, if it is ambiguous between causes that an experiment along
 // its DOF can tell apart; else empty. Throws InputError if the text is no verdict file.

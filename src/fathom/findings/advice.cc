@@ -60,7 +60,14 @@ constexpr Entry kAdvice[] = {
      {"Only ratios to the inertia come of it, but no error of a command is in them.",
       "Give `inertia` in the vehicle file for the parameters themselves: docs/free_decay.md."}},
     {"gap",
-     {"None of its own: the log is cut into pieces there.", "Find out why the sensor paused."}},
+     {"Little: a fit runs through it by the command alone. One of over 30 s cuts the log into "
+      "pieces; in a model of several DOFs, one of over 2 s does.",
+      "Find out why the sensor paused."}},
+    {"heavy",
+     {"None, if the vehicle is flat or floods. Otherwise all parameters are too large by one "
+      "factor.",
+      "Check `mass`, and the units of command and motion. A vehicle file with `size` says how flat "
+      "the vehicle is."}},
     {"held_samples",
      {"The motion comes late, by half the interval on average, and noise seems to be small.",
       "Export the sensor at its own rate."}},
@@ -95,8 +102,8 @@ constexpr Entry kAdvice[] = {
     {"other_axes",
      {"Inertia and damping take a part of the other axes' force: they are biased by more than "
       "their intervals say.",
-      "Drive one axis at a time, or run fathom_diagnose on this log: it names the coupling and "
-      "what it changes."}},
+      "Drive one axis at a time, or take the axes as one motion: --dofs of fathom_identify fits "
+      "it, --dofs of fathom_diagnose looks for what it lacks."}},
     {"passivity",
      {"Damping comes out negative.",
       "Check sign and frame of command and motion (FLU or FRD), the allocation of the thrusters, "

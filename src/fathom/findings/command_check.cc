@@ -65,7 +65,9 @@ FindingPlace LongestAt(double value, const Sampled& sampled) {
   return {"command.csv", "", longest};
 }
 
-void CheckClipping(const Sampled& sampled, std::vector<Finding>* findings) {
+void CheckClipping(const Sampled& sampled,
+                   const std::string& force_unit,
+                   std::vector<Finding>* findings) {
   constexpr std::size_t kManyValues = 20;
   constexpr double kShare = 0.1;
   const std::set<double> values(sampled.force.begin(), sampled.force.end());
@@ -74,12 +76,14 @@ void CheckClipping(const Sampled& sampled, std::vector<Finding>* findings) {
     const auto count = std::count(sampled.force.begin(), sampled.force.end(), limit);
     const double share = static_cast<double>(count) / static_cast<double>(sampled.force.size());
     if (share < kShare || limit == 0.0) continue;
-    NoteCommand("clipped_command",
-                fmt::format("The command stands at its limit of {:.4g} for {:.0f} % of the time.",
-                            limit,
-                            100.0 * share),
-                findings,
-                LongestAt(limit, sampled));
+    NoteCommand(
+        "clipped_command",
+        fmt::format("The command stands at its limit of {:.4g} {} for {:.0f} % of the time.",
+                    limit,
+                    force_unit,
+                    100.0 * share),
+        findings,
+        LongestAt(limit, sampled));
   }
 }
 
@@ -140,7 +144,9 @@ void CheckLoop(const HeldCommand& command,
 
 }  // namespace
 
-std::vector<Finding> CheckCommand(const HeldCommand& command, std::span<const Segment> segments) {
+std::vector<Finding> CheckCommand(const HeldCommand& command,
+                                  std::span<const Segment> segments,
+                                  const std::string& force_unit) {
   constexpr double kShort = 30.0;  // [s]
   constexpr std::size_t kFewChanges = 4;
   std::vector<Finding> findings;
@@ -158,7 +164,7 @@ std::vector<Finding> CheckCommand(const HeldCommand& command, std::span<const Se
                     sampled.num_changes == 1 ? "once" : Plural(sampled.num_changes, "time")),
         &findings);
   }
-  CheckClipping(sampled, &findings);
+  CheckClipping(sampled, force_unit, &findings);
   CheckLoop(command, segments, &findings);
   return findings;
 }

@@ -8,6 +8,7 @@
 #include "fathom/signal/segment.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace fathom {
@@ -23,6 +24,8 @@ namespace fathom {
 //                     in which noise is large and motion small, have opposite signs at a delay of 0
 //                     to 2 samples, and the same sign a sample beside it, as noise has and no
 //                     smooth motion
-std::vector<Finding> CheckCommand(const HeldCommand& command, std::span<const Segment> segments);
+std::vector<Finding> CheckCommand(const HeldCommand& command,
+                                  std::span<const Segment> segments,
+                                  const std::string& force_unit);
 
 }  // namespace fathom

@@ -4,6 +4,7 @@
 #include "fathom/findings/inertia_check.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/base/short_number.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <algorithm>
@@ -124,10 +125,10 @@ std::optional<Finding> CheckTurningInertia(Dof dof,
   return Finding{
       Severity::kWarning,
       "inertia",
-      fmt::format("The inertia of {:.4g} kg m^2 (± {:.2g}) is {} of {:.3g} kg m^2 that a box of "
+      fmt::format("The inertia of {:.4g} kg m^2 (± {}) is {} of {:.3g} kg m^2 that a box of "
                   "the vehicle's size and mass has. {}",
                   inertia,
-                  reach,
+                  ShortNumber(reach, 2),
                   is_too_small ? fmt::format("under {:g} times that", kLeastOfBox)
                                : fmt::format("over {:g} times that", kMostOfBox),
                   box,
@@ -160,13 +161,12 @@ std::optional<Finding> CheckInertia(Dof dof, double inertia, double std, const B
   return Finding{
       Severity::kWarning,
       "inertia",
-      fmt::format(
-          "The inertia of {:.4g} kg (± {:.2g}) is {} the vehicle's dry mass of {:.4g} kg. {}",
-          inertia,
-          reach,
-          is_too_small ? "below" : fmt::format("over {:.2g} times", most / mass),
-          mass,
-          ExplainedBy(inertia, body))};
+      fmt::format("The inertia of {:.4g} kg (± {}) is {} the vehicle's dry mass of {:.4g} kg. {}",
+                  inertia,
+                  ShortNumber(reach, 2),
+                  is_too_small ? "below" : fmt::format("over {:.2g} times", most / mass),
+                  mass,
+                  ExplainedBy(inertia, body))};
 }
 
 std::optional<Finding> CheckInertia(const FittedModel& model, const std::optional<Body>& body) {

@@ -4,6 +4,7 @@
 #include "fathom/findings/motion_check.h"
 
 #include "fathom/base/plural.h"
+#include "fathom/base/short_number.h"
 #include "fathom/findings/values/held_samples.h"
 #include "fathom/findings/values/lost_values.h"
 #include "fathom/findings/values/repeated_block.h"
@@ -101,12 +102,12 @@ Finding FindingOf(const Column& column, const Sentinel& sentinel) {
 
 Finding FindingOf(const Column& column, const LostValues& lost) {
   return Warning("lost_values",
-                 fmt::format("{} is exactly 0 in {} rows ({:.2g} %) while the rows before and "
+                 fmt::format("{} is exactly 0 in {} rows ({} %) while the rows before and "
                              "after them are far from 0, first at t = {:.6g} s. The sensor had no "
                              "reading. Take these rows out.",
                              column.Name(),
                              lost.num_rows,
-                             column.Share(lost.num_rows),
+                             ShortNumber(column.Share(lost.num_rows), 2),
                              column.time[lost.first]),
                  column.PlaceOfValue(lost.first));
 }
@@ -114,12 +115,12 @@ Finding FindingOf(const Column& column, const LostValues& lost) {
 Finding FindingOf(const Column& column, const StuckValues& stuck) {
   const double from = column.time[stuck.longest.first], to = column.time[stuck.longest.last];
   return Warning("stuck_values",
-                 fmt::format("{} stands still in {} rows ({:.2g} %), the longest time at {:.6g} "
+                 fmt::format("{} stands still in {} rows ({} %), the longest time at {:.6g} "
                              "for {:.3g} s from t = {:.6g} s. The sensor wrote no new value. Take "
                              "these rows out.",
                              column.Name(),
                              stuck.num_rows,
-                             column.Share(stuck.num_rows),
+                             ShortNumber(column.Share(stuck.num_rows), 2),
                              column.values[stuck.longest.first],
                              to - from,
                              from),

@@ -6,6 +6,7 @@
 #include "fathom/findings/batch_means.h"
 #include "fathom/simulate/partner_signals.h"
 #include "fathom/solve/decompositions.h"
+#include "fathom/vehicle/parameters.h"
 
 #include <array>
 #include <cmath>
@@ -125,17 +126,21 @@ std::optional<Gain> GainOf(const Means& means) {
               scale[0] / alone[0]};
 }
 
-std::string OnInertia(const Gain& gain) {
+std::string OnInertia(const Gain& gain, const std::string& unit) {
   if (!(gain.inertia > 0.0 && gain.inertia_alone > 0.0)) return "";
-  return fmt::format(" By least squares the inertia is {:.3g} with it and {:.3g} without.",
+  return fmt::format(" By least squares the inertia is {:.3g} {} with it and {:.3g} {} without.",
                      gain.inertia,
-                     gain.inertia_alone);
+                     unit,
+                     gain.inertia_alone,
+                     unit);
 }
 
 }  // namespace
 
 std::optional<Finding> CheckOtherAxes(const Log& log, Dof dof, std::span<const Segment> segments) {
   if (!log.velocity) return std::nullopt;
+  const std::string unit = ParameterUnit(
+      kInertia, dof, log.command_unit.empty() ? std::string(ForceUnit(dof)) : log.command_unit);
   std::optional<Finding> finding;
   double largest = kLeastShare;
   for (const FactorPair& factors : ProductsIn(dof)) {
@@ -154,7 +159,7 @@ std::optional<Finding> CheckOtherAxes(const Log& log, Dof dof, std::span<const S
                     100.0 * gain->share,
                     Name(dof),
                     kWindow,
-                    OnInertia(*gain))};
+                    OnInertia(*gain, unit))};
   }
   return finding;
 }

@@ -4,6 +4,7 @@
 #include "fathom/findings/prediction_check.h"
 
 #include "fathom/base/interval95.h"
+#include "fathom/base/short_number.h"
 #include "fathom/findings/batch_means.h"
 
 #include <cmath>
@@ -78,13 +79,13 @@ std::optional<Finding> CheckPrediction(const std::optional<LogPrediction>& predi
   return Finding{Severity::kWarning,
                  "prediction",
                  fmt::format("The prediction does not follow the {} of this log: the measured "
-                             "one is {:.3g} ± {:.1g} times the predicted one, and the prediction "
-                             "misses {:.2g} times its variance, sensor noise left out. Log and "
+                             "one is {:.3g} ± {} times the predicted one, and the prediction "
+                             "misses {} times its variance, sensor noise left out. Log and "
                              "model may differ in a unit, a sign or the vehicle.",
                              IsAngular(dof) ? "rate" : "speed",
                              slope,
-                             kStdsOf95 * slope_error,
-                             missed.mean() / motion)};
+                             ShortNumber(kStdsOf95 * slope_error, 1),
+                             ShortNumber(missed.mean() / motion, 2))};
 }
 
 }  // namespace fathom

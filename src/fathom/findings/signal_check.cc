@@ -6,6 +6,7 @@
 #include "fathom/base/interval95.h"
 #include "fathom/base/median.h"
 #include "fathom/base/plural.h"
+#include "fathom/base/short_number.h"
 #include "fathom/findings/batch_means.h"
 #include "fathom/findings/pulse_widths.h"
 #include "fathom/signal/filters/autoregression.h"
@@ -84,11 +85,11 @@ void CheckPassivity(const Samples& samples, const std::string& unit, Findings* f
   const double error = ErrorOfMean(power);
   if (!(mean < -kPowerErrors * error)) return;
   const double total = (samples.force * samples.velocity * samples.step).sum() / duration;
-  const std::string what = fmt::format(
-      "The mean power of force times velocity, each about its mean, is {:.3g} {} ± {:.1g}.",
-      mean,
-      unit,
-      kStdsOf95 * error);
+  const std::string what =
+      fmt::format("The mean power of force times velocity, each about its mean, is {:.3g} {} ± {}.",
+                  mean,
+                  unit,
+                  ShortNumber(kStdsOf95 * error, 1));
   if (total > kSteadyDrive * -mean) {
     Note("passivity",
          fmt::format("{} With the means it is {:.3g} {}: the force drives the vehicle, which is "
@@ -160,10 +161,10 @@ void CheckForceSign(std::span<const Segment> segments, Findings* findings) {
   if (slope > -kSignErrors * error) return;
   Warn("force_sign",
        fmt::format("At equal velocity a positive force decelerates the vehicle: acceleration "
-                   "over force is {:.2g} ± {:.1g} (correlation {:.2f}). Check the sign of the "
+                   "over force is {} ± {} (correlation {:.2f}). Check the sign of the "
                    "force and the clocks.",
-                   slope,
-                   kStdsOf95 * error,
+                   ShortNumber(slope, 2),
+                   ShortNumber(kStdsOf95 * error, 1),
                    correlation),
        findings);
 }

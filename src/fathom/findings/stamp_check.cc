@@ -4,6 +4,7 @@
 #include "fathom/findings/stamp_check.h"
 
 #include "fathom/base/quoted.h"
+#include "fathom/base/short_number.h"
 
 #include <fmt/format.h>
 
@@ -15,14 +16,13 @@ std::vector<Finding> CheckStamps(const Log& log) {
   if (!log.origin) return findings;
   for (const StampsOutOfOrder& stamps : log.origin->out_of_order) {
     if (stamps.share <= kShareOfAccidents) continue;
-    findings.push_back(
-        {Severity::kWarning,
-         "stamp_order",
-         fmt::format("{:.2g} % of the stamps of the {} lay before an earlier one in {}. "
-                     "Are they written wrongly, as nanoseconds without their zeros?",
-                     100.0 * stamps.share,
-                     stamps.stream,
-                     log.origin->file)});
+    findings.push_back({Severity::kWarning,
+                        "stamp_order",
+                        fmt::format("{} % of the stamps of the {} lay before an earlier one in {}. "
+                                    "Are they written wrongly, as nanoseconds without their zeros?",
+                                    ShortNumber(100.0 * stamps.share, 2),
+                                    stamps.stream,
+                                    log.origin->file)});
   }
   if (!log.origin->row_counter.empty()) {
     findings.push_back(

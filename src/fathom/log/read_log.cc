@@ -7,6 +7,7 @@
 #include "fathom/base/files/input_file.h"
 #include "fathom/base/input_error.h"
 #include "fathom/base/quoted.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/log/correct_velocity.h"
 #include "fathom/log/log_streams.h"
 #include "fathom/log/log_text.h"
@@ -53,15 +54,17 @@ std::filesystem::path FirstLogIn(const std::filesystem::path& folder) {
   const std::filesystem::path inside = FirstLogIn(folder);
   if (!inside.empty()) {
     throw InputError(fmt::format(
-        "{0}: holds logs and is none itself, expected one of them: --log={1}. fathom_check "
-        "--archive={0} checks them all.",
+        "{}: holds logs and is none itself, expected one of them: --log={}. fathom_check "
+        "--archive={} checks them all.",
         folder.string(),
-        inside.string()));
+        ShellWord(inside.string()),
+        ShellWord(folder.string())));
   }
   throw InputError(
-      fmt::format("{0}: holds no log.yaml (name and dof of the log), expected a log folder. "
-                  "fathom init {0} writes what it lacks. See docs/file_formats.md.",
-                  folder.string()));
+      fmt::format("{}: holds no log.yaml (name and dof of the log), expected a log folder. "
+                  "fathom init {} writes what it lacks. See docs/file_formats.md.",
+                  folder.string(),
+                  ShellWord(folder.string())));
 }
 
 Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& options) {
@@ -118,7 +121,7 @@ Log ReadFolder(const std::filesystem::path& folder, const ReadLogOptions& option
   const std::string import = fmt::format(
       "fathom_import makes a log of what other programs write: fathom_import --from={} --suggest > "
       "map.yaml",
-      path.string());
+      ShellWord(path.string()));
   if (text.empty() || IsMeantAsSingleCsvLog(text)) {
     try {
       ParseSingleCsv(path.string(), text, Dof::kSurge);

@@ -4,6 +4,7 @@
 #include "fathom/starter/starter.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/base/time_interval.h"
 #include "fathom/import/map/import_map.h"
 #include "fathom/import/open_recording.h"
@@ -84,8 +85,9 @@ void AddLog(const fs::path& folder, const FolderContents& contents, Starter* sta
   const bool has_motion = std::ranges::any_of(
       contents.streams, [](const std::string& name) { return name != "command.csv"; });
   const bool has_film = contents.has_images || !contents.videos.empty();
-  starter->commands.push_back(fmt::format(
-      "{} --log={}", !has_motion && has_film ? "fathom_track" : "fathom_check", folder.string()));
+  starter->commands.push_back(fmt::format("{} --log={}",
+                                          !has_motion && has_film ? "fathom_track" : "fathom_check",
+                                          ShellWord(folder.string())));
 }
 
 // From the first stamp of its channels to the last; nothing without stamps.
@@ -133,22 +135,23 @@ void AddRecording(const fs::path& folder,
                     "Write {} by docs/import.md.",
                     file.string(),
                     map_file));
-    starter->commands.push_back(fmt::format("fathom_import --from={} --list", file.string()));
+    starter->commands.push_back(
+        fmt::format("fathom_import --from={} --list", ShellWord(file.string())));
     return;
   }
   Add(folder, map_file, map, starter);
   const fs::path log = folder / fs::path(name).stem();
   std::error_code error;
   if (fs::exists(log / "log.yaml", error)) {
-    starter->commands.push_back(fmt::format("fathom_check --log={}", log.string()));
+    starter->commands.push_back(fmt::format("fathom_check --log={}", ShellWord(log.string())));
     return;
   }
   const std::string vehicle_file = contents.vehicle ? contents.vehicle_file : kVehicleFile;
   starter->commands.push_back(fmt::format("fathom_import --from={} --map={} --vehicle={} --out={}",
-                                          file.string(),
-                                          (folder / map_file).string(),
-                                          (folder / vehicle_file).string(),
-                                          log.string()));
+                                          ShellWord(file.string()),
+                                          ShellWord((folder / map_file).string()),
+                                          ShellWord((folder / vehicle_file).string()),
+                                          ShellWord(log.string())));
 }
 
 }  // namespace
@@ -168,7 +171,7 @@ Starter StarterOf(const fs::path& folder) {
   }
   for (const std::string& name : contents.single_csvs) {
     starter.commands.push_back(
-        fmt::format("fathom_check --log={} --dof=surge", (folder / name).string()));
+        fmt::format("fathom_check --log={} --dof=surge", ShellWord((folder / name).string())));
   }
   return starter;
 }

@@ -192,7 +192,7 @@ TEST_F(SlurmScriptTest, ReservesProcessorsAndMemoryForAllPrograms) {
 
 TEST_F(SlurmScriptTest, TheMergeWritesTheTable) {
   EXPECT_THAT(SlurmScript(options_, 3, "", "/shared/fits.csv"),
-              HasSubstr(R"("${flags[@]}" --csv='/shared/fits.csv')"));
+              HasSubstr(R"("${flags[@]}" --csv=/shared/fits.csv)"));
 }
 
 TEST_F(SlurmScriptTest, RefusesNoPartsAndTooMany) {

@@ -245,7 +245,7 @@ OrdinaryDives TwoOfThreeStretches(std::size_t log_index, OrdinaryDives dives = {
   return dives;
 }
 
-TEST(HowToFitChosen, HoldsOutWhatTheLogHoldsOutToo) {
+TEST(HowToFitChosen, HoldsOutWhatTheLogHoldsOutTooAndReadsTheSameData) {
   OrdinaryRequest request;
   request.logs = {"dive"};
   request.spans = {{0.0, 130.0}};
@@ -253,8 +253,12 @@ TEST(HowToFitChosen, HoldsOutWhatTheLogHoldsOutToo) {
               ElementsAre("fathom_identify --log=dive --dof=surge "
                           "--held_out=0.00:20.00,50.00:75.00,100.05:130.01"));
   request.spans = {{20.0, 100.0}};
-  EXPECT_THAT(HowToFitChosen(request, TwoOfThreeStretches(0)),
-              ElementsAre("fathom_identify --log=dive --dof=surge --held_out=50.00:75.00"));
+  request.logs = {"my dive"};
+  request.data_flags = " --correct=u:2";
+  EXPECT_THAT(
+      HowToFitChosen(request, TwoOfThreeStretches(0)),
+      ElementsAre(
+          "fathom_identify --log='my dive' --correct=u:2 --dof=surge --held_out=50.00:75.00"));
 }
 
 TEST(HowToFitChosen, FitsSeveralLogsAsOne) {

@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 
 std::vector<std::string> CodesOf(const HeldCommand& command, const Segment& segment) {
   std::vector<std::string> codes;
-  for (const Finding& finding : CheckCommand(command, {&segment, 1})) {
+  for (const Finding& finding : CheckCommand(command, {&segment, 1}, "N")) {
     EXPECT_EQ(finding.severity, Severity::kNote);
     codes.push_back(finding.code);
   }

@@ -64,6 +64,13 @@ TEST(PredictionCheck, WarnsOfAnotherSizeOrSign) {
   EXPECT_THAT(finding->sentence, HasSubstr("misses 0.25 times its variance"));
 }
 
+TEST(PredictionCheck, WritesAHundredWithoutAnExponent) {
+  const auto finding = CheckPrediction(Measured(0.09, 0.0), Dof::kSurge);
+  ASSERT_TRUE(finding);
+  // ((1 - 0.09) / 0.09)^2 = 102
+  EXPECT_THAT(finding->sentence, HasSubstr("misses 100 times its variance"));
+}
+
 // A command in kN moves the prediction by next to nothing after its start has died away.
 TEST(PredictionCheck, WarnsOfAPredictionThatHardlyMoves) {
   LogPrediction prediction = Measured(1.0, 0.01);

@@ -4,12 +4,15 @@
 #include "fathom/tool/coupled_flags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/signal/sources/log_column.h"
 #include "fathom/tool/flag_values.h"
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gflags/gflags.h>
 
 DEFINE_string(dofs,
@@ -30,6 +33,21 @@ bool IsGiven(const char* flag) {
 }  // namespace
 
 bool IsCoupledAsked() { return !FLAGS_dofs.empty(); }
+
+void RequireDofOrDofs(std::span<const Log> logs, std::optional<Dof> given) {
+  if (given) return;
+  for (const Log& log : logs) {
+    if (log.dofs.size() < 2) continue;
+    std::vector<std::string_view> names;
+    for (const Dof dof : log.dofs) names.push_back(Name(dof));
+    throw InputError(fmt::format(
+        "--dof: is missing, and {} names {} DOFs; say which, or take them as one motion with "
+        "--dofs={}.",
+        FileOf(log, "log.yaml"),
+        names.size(),
+        fmt::join(names, ",")));
+  }
+}
 
 void RequireFlagsOfOneKind(const std::vector<const char*>& of_one_dof) {
   if (!IsCoupledAsked()) {

@@ -5,7 +5,10 @@
 
 #include "fathom/base/dof.h"
 #include "fathom/coupled/coupled_identification.h"
+#include "fathom/log/log.h"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <gflags/gflags_declare.h>
@@ -18,6 +21,10 @@ namespace fathom {
 
 // Whether --dofs asks for a model of several.
 bool IsCoupledAsked();
+
+// Where no DOF is given and a log names several: throws InputError that names --dofs too, which
+// takes them as one motion.
+void RequireDofOrDofs(std::span<const Log> logs, std::optional<Dof> given);
 
 // Throws InputError for a flag that says nothing of what was asked for: with --dofs one of
 // `of_one_dof`, which only a model of one DOF heeds, without it --structure or --window.

@@ -4,6 +4,7 @@
 #include "fathom/tool/log_flags.h"
 
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/log/hold_out.h"
 #include "fathom/log/log_fingerprint.h"
 #include "fathom/marker_trajectory/camera_source.h"
@@ -121,6 +122,16 @@ std::vector<std::string> InputsFromFlags() {
   std::vector<std::string> inputs = LogPathsFromFlags();
   if (!FLAGS_velocity.empty()) inputs.push_back(FLAGS_velocity);
   return inputs;
+}
+
+std::string GivenFlags(std::initializer_list<const char*> names) {
+  std::string text;
+  for (const char* const name : names) {
+    std::string value;
+    gflags::GetCommandLineOption(name, &value);
+    if (!value.empty()) text += fmt::format(" --{}={}", name, ShellWord(value));
+  }
+  return text;
 }
 
 std::vector<Log> ReadLogsFromFlags(std::optional<Dof> dof,

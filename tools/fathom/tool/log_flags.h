@@ -8,6 +8,7 @@
 #include "fathom/log/read_log.h"
 #include "fathom/tool/flag_values.h"
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +29,10 @@ std::vector<std::string> LogPathsFromFlags();
 
 // What the tool reads: these paths, and the file of --velocity where it is given.
 std::vector<std::string> InputsFromFlags();
+
+// The flags of these that are given, as a proposed command takes them: " --correct=p:-1". They say
+// which data are read, so that the command reads the same.
+std::string GivenFlags(std::initializer_list<const char*> names);
 
 // Throws InputError if two logs hold the same data, whatever their names.
 void RequireDifferentData(const std::vector<Log>& logs);

@@ -122,6 +122,7 @@ int RunOrdinaryPlan(const OrdinaryPlanFiles& files) {
   }
   OrdinaryRequest request;
   request.logs = LogPathsFromFlags();
+  request.data_flags = GivenFlags({"velocity", "correct", "default_vehicle"});
   request.name = files.model.empty() ? "the fit of these logs" : files.model;
   if (files.model.empty()) {
     std::optional<FittedModel> model = ModelOfLogs(logs, joined.all.dof);

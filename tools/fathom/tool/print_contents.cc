@@ -9,6 +9,7 @@
 #include "fathom/tool/print_text.h"
 #include "fathom/tool/wide_flag.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 
@@ -46,12 +47,13 @@ std::string Heading(const std::filesystem::path& file, const Contents& contents)
                                  Plural(contents.channels.size(), "channel"),
                                  Plural(num_fields, "field"));
   if (contents.IsComplete()) return text;
-  const double share =
-      static_cast<double>(contents.read_bytes) / static_cast<double>(contents.size_bytes);
+  // Rounded down: what is not whole is not 100 %.
+  const double tenths = std::floor(1000.0 * static_cast<double>(contents.read_bytes) /
+                                   static_cast<double>(contents.size_bytes));
   return text + fmt::format("; incomplete: {} of {} bytes are sound ({:.1f} %)",
                             contents.read_bytes,
                             contents.size_bytes,
-                            100.0 * share);
+                            0.1 * tenths);
 }
 
 void PrintContents(const std::filesystem::path& file, const Contents& contents) {

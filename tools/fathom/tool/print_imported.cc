@@ -3,6 +3,7 @@
 
 #include "fathom/tool/print_imported.h"
 
+#include "fathom/base/shell_word.h"
 #include "fathom/findings/pose_twist_check.h"
 #include "fathom/findings/stamp_check.h"
 #include "fathom/open_log/survey.h"
@@ -38,10 +39,9 @@ void PrintStreams(const Log& log) {
 
 void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
   if ((log.command || log.fins || log.shafts) && !log.velocity && !log.pose && !log.video.empty()) {
-    fmt::print(
-        "note: the motion is in the video. This tracks it: fathom_track --log={0} "
-        "--out={0}_tracked\n",
-        folder.string());
+    fmt::print("note: the motion is in the video. This tracks it: fathom_track --log={} --out={}\n",
+               ShellWord(folder.string()),
+               ShellWord(folder.string() + "_tracked"));
     return;
   }
   if (!log.velocity && !log.pose) {
@@ -52,7 +52,7 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
     fmt::print(
         "note: the map names no command, so that the log is taken for a free decay: it tells "
         "damping by inertia.\nnext: fathom_check --log={}\n",
-        folder.string());
+        ShellWord(folder.string()));
     return;
   }
   std::vector<Finding> findings = CheckStamps(log);
@@ -63,7 +63,7 @@ void PrintFirstLook(const std::filesystem::path& folder, const Log& log) {
                surveyed.why_not.empty() ? "can be identified" : surveyed.why_not);
   }
   PrintNotes(findings);
-  fmt::print("next: fathom_check --log={}\n", folder.string());
+  fmt::print("next: fathom_check --log={}\n", ShellWord(folder.string()));
   std::fflush(stdout);
   PrintWarnings(findings);
 }

@@ -9,11 +9,11 @@
 #include "fathom/base/nearest.h"
 #include "fathom/base/number.h"
 #include "fathom/base/quoted.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/tool/flag_values.h"
 #include "fathom/tool/version.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -116,7 +116,7 @@ void ReadFlags(const std::vector<std::string>& arguments, const ToolInfo& info) 
     if (dashes == 0 || argument.size() == dashes) {
       throw InputError(IsALog(flags, argument)
                            ? fmt::format("a log needs its flag, expected --log={}. See {} --help.",
-                                         argument,
+                                         ShellWord(argument),
                                          tool)
                            : fmt::format("{}: is no flag, expected --name=value. See {} --help.",
                                          Quoted(argument),
@@ -221,18 +221,6 @@ int ReadFlagsAndRun(const std::vector<std::string>& arguments,
   return run();
 }
 
-// As a shell reads it back.
-std::string ForShell(const std::string& argument) {
-  const bool is_plain = !argument.empty() && std::ranges::all_of(argument, [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("-_=/.,:+@%").find(c) != std::string_view::npos;
-  });
-  if (is_plain) return argument;
-  std::string quoted = "'";
-  for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string& CommandLineOfThis() {
   static std::string line;
   return line;
@@ -257,7 +245,7 @@ int RunTool(int argc, char** argv, const ToolInfo& info, const std::function<int
   google::InitGoogleLogging(info.name.c_str());
   RemoveTemporariesOnInterrupt();
   CommandLineOfThis() = info.name;
-  for (int i = 1; i < argc; ++i) CommandLineOfThis() += " " + ForShell(argv[i]);
+  for (int i = 1; i < argc; ++i) CommandLineOfThis() += " " + ShellWord(argv[i]);
   return ReportProblems(info.name, [&] {
     return ReadFlagsAndRun({argv + std::min(argc, 1), argv + argc}, info, run);
   });

@@ -6,6 +6,7 @@
 #include "fathom/base/exit_code.h"
 #include "fathom/base/files/path_text.h"
 #include "fathom/base/input_error.h"
+#include "fathom/base/shell_word.h"
 #include "fathom/log/log_content.h"
 
 #include <algorithm>
@@ -191,7 +192,7 @@ bool NeedsNoMap(const FoundLog& log,
           : fmt::format(
                 "needs a map, which `imports` in archive.yaml names: fathom_import --suggest "
                 "prints one to begin with (--from={}).",
-                PathText(log.path));
+                ShellWord(PathText(log.path)));
   return false;
 }
 
