@@ -6,7 +6,7 @@
 // 1 if a limit is broken. Times are the best of several repetitions. docs/coupled.md.
 
 #include "fathom/coupled/coupled_fit.h"
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/simulate/coupled/coupled_simulation.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "fathom/tool/print_text.h"
 
-#include "fathom/tool/broken_lines.h"
+#include "fathom/tool/wrapped_text.h"
 
 #include <array>
 #include <cstdio>
@@ -17,38 +17,38 @@
 namespace fathom {
 namespace {
 
-TEST(BrokenLines, AreBrokenBetweenWordsAndIndented) {
-  EXPECT_EQ(BrokenLines("note: a line of many words\nshort\n", 16),
+TEST(WrappedText, AreBrokenBetweenWordsAndIndented) {
+  EXPECT_EQ(WrappedText("note: a line of many words\nshort\n", 16),
             "note: a line of\n  many words\nshort\n");
-  EXPECT_EQ(BrokenLines("no newline at the end", 16), "no newline at\n  the end");
+  EXPECT_EQ(WrappedText("no newline at the end", 16), "no newline at\n  the end");
 }
 
-TEST(BrokenLines, HangBehindTheGapBeforeTheSentence) {
-  EXPECT_EQ(BrokenLines("red  gap  four gaps of over five steps", 25),
+TEST(WrappedText, HangBehindTheGapBeforeTheSentence) {
+  EXPECT_EQ(WrappedText("red  gap  four gaps of over five steps", 25),
             "red  gap  four gaps of\n          over five steps");
-  EXPECT_EQ(BrokenLines("      To do: find out why it paused", 24),
+  EXPECT_EQ(WrappedText("      To do: find out why it paused", 24),
             "      To do: find out\n      why it paused");
 }
 
-TEST(BrokenLines, KeepAWordThatIsLonger) {
-  EXPECT_EQ(BrokenLines("see /a/very/long/path.csv there", 10),
+TEST(WrappedText, KeepAWordThatIsLonger) {
+  EXPECT_EQ(WrappedText("see /a/very/long/path.csv there", 10),
             "see\n  /a/very/long/path.csv\n  there");
-  EXPECT_EQ(BrokenLines("/a/very/long/path.csv", 10), "/a/very/long/path.csv");
+  EXPECT_EQ(WrappedText("/a/very/long/path.csv", 10), "/a/very/long/path.csv");
 }
 
-TEST(BrokenLines, LeaveTablesWhole) {
+TEST(WrappedText, LeaveTablesWhole) {
   const std::string table =
       "log of a dive  inertia\n"
       "-------------  -------\n"
       "a long path    1 ± 2\n"
       "another path   1 ± 3\n";
-  EXPECT_EQ(BrokenLines("many words above\n" + table + "many words below\n", 12),
+  EXPECT_EQ(WrappedText("many words above\n" + table + "many words below\n", 12),
             "many words\n  above\n" + table + "many words\n  below\n");
 }
 
-TEST(BrokenLines, CountCharactersAndNotBytes) {
-  EXPECT_EQ(BrokenLines("4 ± 1 ± 2", 9), "4 ± 1 ± 2");
-  EXPECT_EQ(BrokenLines("4 ± 1 ± 23", 9), "4 ± 1 ±\n  23");
+TEST(WrappedText, CountCharactersAndNotBytes) {
+  EXPECT_EQ(WrappedText("4 ± 1 ± 2", 9), "4 ± 1 ± 2");
+  EXPECT_EQ(WrappedText("4 ± 1 ± 23", 9), "4 ± 1 ±\n  23");
 }
 
 const std::string kLine = "note: " + std::string(60, 'a') + " " + std::string(60, 'b') + "\n";

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/log/log.h"
 #include "fathom/simulate/coupled/coupled_data.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"

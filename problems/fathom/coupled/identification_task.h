@@ -5,7 +5,7 @@
 
 #include "fathom/coupled/coupled_fit_options.h"
 #include "fathom/coupled/entry_search.h"
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/log/log.h"
 #include "fathom/vehicle/coupled/free_entry.h"
 #include "fathom/vehicle/coupled/motion_structure.h"

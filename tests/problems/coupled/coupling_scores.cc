@@ -5,7 +5,7 @@
 // named, what is named falsely, and how many intervals hold the truth: coupling_scores 40 [seed].
 
 #include "fathom/base/interval95.h"
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 

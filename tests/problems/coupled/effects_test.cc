@@ -3,7 +3,7 @@
 
 // Effects of the catalogue in a model of several DOFs, on logs of another simulator.
 
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 
 #include <cmath>

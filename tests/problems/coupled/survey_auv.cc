@@ -3,7 +3,7 @@
 
 #include "survey_auv.h"
 
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/simulate/coupled/coupled_prediction.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"

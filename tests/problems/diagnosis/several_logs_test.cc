@@ -3,7 +3,7 @@
 
 // What belongs to a run, in one of several logs that are diagnosed together.
 
-#include "fathom/diagnosis/data/log_names.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/data/training_data.h"
 #include "fathom/diagnosis/diagnosis.h"

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "fathom/coupled/ladder.h"
+#include "fathom/coupled/structure_ladder.h"
 #include "fathom/coupled_planning/coupled_plan.h"
 
 #include <string>

@@ -4,7 +4,7 @@
 #include "fathom/tool/print_text.h"
 
 #include "fathom/base/quoted.h"
-#include "fathom/tool/broken_lines.h"
+#include "fathom/tool/wrapped_text.h"
 
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ void PrintText(std::FILE* stream, const std::string& text) {
   constexpr std::size_t kWidth = 100;
   const bool is_terminal = isatty(fileno(stream)) == 1;
   const std::string shown = ShownOnLines(text);
-  std::fputs((is_terminal ? BrokenLines(shown, kWidth) : shown).c_str(), stream);
+  std::fputs((is_terminal ? WrappedText(shown, kWidth) : shown).c_str(), stream);
 }
 
 }  // namespace fathom

@@ -9,7 +9,7 @@
 namespace fathom {
 
 // Writes the text to the stream. On a terminal its lines are at most 100 columns, see
-// BrokenLines(); in a pipe or a file each stays one line, so that grep finds it whole.
+// WrappedText(); in a pipe or a file each stays one line, so that grep finds it whole.
 void PrintText(std::FILE* stream, const std::string& text);
 
 }  // namespace fathom

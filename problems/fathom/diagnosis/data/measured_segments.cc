@@ -5,7 +5,7 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/data/log_channels.h"
-#include "fathom/diagnosis/data/log_names.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/diagnosis/data/uneven_noise.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"

@@ -3,7 +3,7 @@
 
 #include "fathom/diagnosis/fit/identified_model.h"
 
-#include "fathom/diagnosis/data/log_names.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/identification/identification.h"
 #include "fathom/identification/log_agreement.h"
 #include "fathom/signal/joined_signals.h"

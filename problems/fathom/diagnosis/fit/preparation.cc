@@ -6,6 +6,7 @@
 #include "fathom/diagnosis/data/excerpt.h"
 #include "fathom/diagnosis/data/thinned.h"
 #include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/least_inertia.h"
 #include "fathom/diagnosis/fit/momentum_balance.h"
 #include "fathom/diagnosis/fit/outliers.h"
 #include "fathom/diagnosis/fit/residual_noise.h"

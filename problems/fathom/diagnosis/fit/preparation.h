@@ -13,10 +13,6 @@
 
 namespace fathom {
 
-// The least inertia that a fit may try, of output error's. Far below the truth a run takes ever
-// more steps; but where the baseline leaves the inertia open, it is no measure of the truth.
-inline constexpr double kLeastInertiaIfOpen = 0.01;
-
 // Of the inertia that the measured motion shows, or a baseline does: beyond it a fit has run away
 // from any motion.
 inline constexpr double kRunAway = 1e3;

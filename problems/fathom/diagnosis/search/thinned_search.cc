@@ -4,6 +4,7 @@
 #include "fathom/diagnosis/search/thinned_search.h"
 
 #include "fathom/diagnosis/fit/fit_with_noise.h"
+#include "fathom/diagnosis/fit/least_inertia.h"
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -13,10 +14,6 @@
 
 namespace fathom {
 namespace {
-
-// The least inertia that a fit may try, of the baseline's or output error's, whichever is smaller.
-// Where the baseline leaves it open it is no measure: kLeastInertiaIfOpen.
-constexpr double kLeastInertia = 0.1;
 
 bool IsInertiaOpen(const StructureFit& fit) {
   const double std = std::sqrt(fit.covariance(kInertia, kInertia));

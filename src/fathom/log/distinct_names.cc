@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/diagnosis/data/log_names.h"
+#include "fathom/log/distinct_names.h"
 
 #include <algorithm>
 #include <filesystem>

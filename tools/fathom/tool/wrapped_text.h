@@ -17,6 +17,6 @@ namespace fathom {
 //
 //     yellow  gap   4 gaps of over 5 steps,
 //                   the longest of 1.89 s.
-std::string BrokenLines(std::string_view text, std::size_t width);
+std::string WrappedText(std::string_view text, std::size_t width);
 
 }  // namespace fathom

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/tool/broken_lines.h"
+#include "fathom/tool/wrapped_text.h"
 
 #include <algorithm>
 
@@ -54,7 +54,7 @@ std::string Broken(std::string line, std::size_t width) {
 
 }  // namespace
 
-std::string BrokenLines(std::string_view text, std::size_t width) {
+std::string WrappedText(std::string_view text, std::size_t width) {
   std::string broken;
   bool is_in_table = false;
   while (!text.empty()) {
