@@ -5,11 +5,13 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/base/listed.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/files/thruster_shares.h"
 #include "fathom/vehicle/files/vehicle_file.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,6 +25,9 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
                           const std::vector<Dof>& dofs,
                           const std::optional<Vehicle>& vehicle) {
   CoupledLogs out;
+  // Currents and offsets of runs are told apart by the names of logs.
+  const std::vector<std::string> names = DistinctNames(logs);
+  for (std::size_t k = 0; k < logs.size(); ++k) logs[k].name = names[k];
   for (const Log& log : logs) {
     const Vehicle of_log = vehicle.value_or(Vehicle());
     out.data.push_back(CoupledDataOf(log, dofs, of_log.thrusters, of_log.fins, of_log.shafts));
@@ -36,6 +41,26 @@ CoupledLogs CoupledLogsOf(std::vector<Log> logs,
   }
   out.logs = std::move(logs);
   return out;
+}
+
+// Each window begins with velocities of its own, on which its first samples go.
+void RequireLongWindows(const CoupledLogs& logs, double window) {
+  constexpr int kFewestSamples = 5;
+  for (const CoupledData& data : logs.data) {
+    for (const CoupledSegment& segment : data.segments) {
+      const std::size_t count = segment.time.size();
+      if (count < 2) continue;
+      const double period =
+          (segment.time.back() - segment.time.front()) / static_cast<double>(count - 1);
+      if (window > (kFewestSamples - 0.5) * period) continue;
+      throw InputError(fmt::format(
+          "--window: {:g} s holds fewer than {} samples of {}, expected at least {:.2g} s.",
+          window,
+          kFewestSamples,
+          data.log,
+          kFewestSamples * period));
+    }
+  }
 }
 
 // `held`: the numbers that are not free.
@@ -170,6 +195,7 @@ IdentificationTask IdentificationTaskOf(std::vector<Log> logs,
   const std::optional<Vehicle> vehicle = FirstVehicleOf(logs);
   IdentificationTask task;
   task.logs = CoupledLogsOf(std::move(logs), dofs, vehicle);
+  RequireLongWindows(task.logs, fit.window);
   task.dofs = dofs;
   task.fit = fit;
   if (vehicle) task.fit.body = vehicle->body;
