@@ -203,9 +203,15 @@ int RunCoupledModel(const FittedCoupledModel& fitted) {
   if (!(FLAGS_horizon > 0.0)) {
     throw InputError(fmt::format("--horizon: is {}, expected more than 0 s.", FLAGS_horizon));
   }
-  const std::vector<Log> logs = ReadCoupledLogsFromFlags();
+  const bool is_over_log = FLAGS_manoeuvre.empty() && FLAGS_table.empty();
+  const std::vector<Log> logs = ReadCoupledLogsFromFlags(/*may_lack_motion=*/is_over_log);
   RequireOneLogForOut(logs.size());
-  if (!FLAGS_manoeuvre.empty() || !FLAGS_table.empty()) {
+  if (!is_over_log) {
+    if (std::isfinite(FLAGS_horizon)) {
+      throw InputError(
+          "--horizon: begins the run over a log anew, expected none beside --manoeuvre or "
+          "--table.");
+    }
     if (logs.size() > 1) {
       throw InputError(
           "--manoeuvre, --table: begin as one log goes, expected a single --log with them.");

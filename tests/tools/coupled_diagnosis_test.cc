@@ -42,6 +42,24 @@ TEST(CoupledDiagnosis, NamesTheThrusterThatIsWeak) {
   RunsWell("fathom_simulate", {Flag("model", verdict), Flag("log", log), "--horizon=5"});
 }
 
+// From rest, as the boat itself began.
+TEST(CoupledSimulation, RunsOverACommandAlone) {
+  const std::filesystem::path log = BoatLog(1.0), folder = log.parent_path();
+  const std::filesystem::path model = folder / "boat.json", out = folder / "out.csv";
+  RunsWell("fathom_identify",
+           {Flag("log", log), "--dofs=surge,yaw", "--structure=diagonal", Flag("model", model)});
+  const CsvColumns measured = ReadColumns(log / "velocity.csv");
+  std::filesystem::remove(log / "velocity.csv");
+  RunsWell("fathom_simulate", {Flag("model", model), Flag("log", log), Flag("out", out)});
+  const CsvColumns simulated = ReadColumns(out);
+  ASSERT_EQ(simulated.rows.size(), ReadColumns(log / "command.csv").rows.size());
+  const auto& at = simulated.rows[simulated.rows.size() / 2];
+  const auto beside = std::ranges::min_element(measured.rows, {}, [&](const auto& row) {
+    return std::abs(row.front() - at.front());
+  });
+  EXPECT_NEAR(at[1], (*beside)[1], 0.05);
+}
+
 TEST(CoupledDiagnosis, NamesNothingOfASoundVehicle) {
   const std::filesystem::path log = BoatLog(1.0);
   const std::filesystem::path verdict = log / "verdict.json";

@@ -82,6 +82,7 @@ std::string CoupledScoreText(const CoupledScore& score, double horizon) {
   for (const Dof dof : score.data.dofs) {
     const auto at = static_cast<std::size_t>(Index(dof));
     const CoupledPrediction& prediction = *score.prediction;
+    if (prediction.figures[at].num_samples == 0) continue;  // not measured
     if (!score.is_trained_on_it) {
       text += ScoreLine(", another log", prediction.figures[at], dof);
       continue;

@@ -253,6 +253,14 @@ void RequireMotion(const Log& log, const VelocityRows& rows, const std::vector<D
   }
 }
 
+// The stamps of a command, of which nothing was measured.
+CoupledSegment CommandAlone(const CoupledCommand& command) {
+  CoupledSegment segment;
+  segment.time = command.time;
+  segment.velocity.assign(command.time.size(), AllUnknown());
+  return segment;
+}
+
 // The weighted line through the samples about one, evaluated there.
 double LineThroughSamples(const CoupledSegment& segment,
                           std::size_t first,
@@ -291,7 +299,8 @@ CoupledData CoupledDataOf(const Log& log,
   AddFins(log, fins, &data.inputs.command, &data.remarks);
   AddShafts(log, shafts, &data.inputs.command);
   const VelocityRows rows = AllVelocities(log, &data.has_velocity);
-  RequireMotion(log, rows, dofs);
+  const bool has_motion = log.velocity || log.pose;
+  if (has_motion) RequireMotion(log, rows, dofs);
   if (std::none_of(dofs.begin(), dofs.end(), [&](Dof dof) {
         return IsCommanded(data.inputs.command, dof);
       })) {
@@ -308,6 +317,12 @@ CoupledData CoupledDataOf(const Log& log,
     data.has_attitude = log.pose->Find("qw") != nullptr;
     const bool has_x = log.pose->Find("x") != nullptr;
     data.has_position = {has_x, has_x, log.pose->Find("z") != nullptr};
+  }
+  if (!has_motion) {
+    data.segments.push_back(CommandAlone(data.inputs.command));
+    data.remarks.emplace_back(
+        "No motion was measured: the run begins at rest, level, at the first command.");
+    return data;
   }
   const double first_command = data.inputs.command.time.front();
   const auto first = static_cast<std::size_t>(

@@ -52,10 +52,11 @@ struct CoupledData {
 
 // `thrusters`: of the vehicle, in the order of the log's; where the log holds none they say
 // nothing. `fins` and `shafts`: of the vehicle; those that the log holds act. DOFs beside `dofs`
-// move as they were measured, where they were.
+// move as they were measured, where they were. A log without any motion is one segment, at the
+// command's stamps, of which nothing is known.
 //
-// Throws InputError if the log does not measure one of the DOFs, commands none of them, or holds a
-// fin or a shaft that the vehicle has not.
+// Throws InputError if the log measures motion but not that of one of the DOFs, commands none of
+// them, or holds a fin or a shaft that the vehicle has not.
 CoupledData CoupledDataOf(const Log& log,
                           const std::vector<Dof>& dofs,
                           std::span<const Thruster> thrusters = {},
