@@ -7,6 +7,8 @@
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -67,9 +69,29 @@ void AddBounds(const CoupledSummary& fit, Caveats* caveats) {
   std::vector<std::string> names;
   for (const FreeEntry& entry : fit.on_bound) names.push_back(NameOf(entry));
   caveats->push_back(
-      fmt::format("Ended on what a body can be, no damping below 0 and no inertia below the "
-                  "body's own: {}. These intervals are to be cut there.",
+      fmt::format("The best fit lies where a body ends, at a damping of 0 or at the body's own "
+                  "inertia, for {}. Cut the intervals there.",
                   fmt::join(names, ", ")));
+}
+
+// Dampings of one axis that may as well be 0, or twice as large.
+void AddOpenDampings(const CoupledSummary& fit, Caveats* caveats) {
+  std::vector<std::string> open;
+  for (const FreeEntry& entry : fit.entries) {
+    const bool is_damping = entry.kind == FreeEntry::Kind::kLinearDamping ||
+                            entry.kind == FreeEntry::Kind::kQuadraticDamping;
+    if (!is_damping || entry.row != entry.column) continue;
+    if (std::ranges::count(fit.on_bound, entry) > 0) continue;
+    if (1.96 * StdOf(fit, entry) > std::abs(ValueIn(fit.model, entry))) {
+      open.push_back(NameOf(entry));
+    }
+  }
+  if (open.empty()) return;
+  caveats->push_back(
+      fmt::format("These logs do not determine {}: 95 % intervals are wider than ± 100 % of the "
+                  "value. Steady runs at several speeds determine a damping; fathom_plan designs "
+                  "them.",
+                  fmt::join(open, ", ")));
 }
 
 // The DOFs of which free runs miss much, and far more than scatters from sample to sample.
@@ -110,6 +132,7 @@ std::vector<std::string> CaveatsOnFit(const FittedCoupledModel& fitted,
                                       const CoupledPrediction& prediction) {
   Caveats caveats;
   AddBounds(fit, &caveats);
+  AddOpenDampings(fit, &caveats);
   AddPoorFit(fitted, logs, prediction, &caveats);
   return caveats;
 }

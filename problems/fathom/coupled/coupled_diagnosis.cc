@@ -3,7 +3,6 @@
 
 #include "fathom/coupled/coupled_diagnosis.h"
 
-#include "fathom/coupled/window_residuals.h"
 #include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 
@@ -11,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace fathom {

@@ -61,9 +61,8 @@ PageSection MatrixSection(const FittedCoupledModel& fitted) {
   Table all = CoupledEntryTable(fitted);
   if (fitted.model.dofs.size() > 1) {
     section.text = {
-        "Numbers with a deviation were identified. Others were held, and \"-\" is 0 because "
-        "nothing "
-        "in the data asks for more."};
+        "Numbers with ± were fitted, numbers without were given. \"-\" is 0: the data do not ask "
+        "for more."};
     section.tables = CoupledMatrixTables(fitted);
     all.fold = "All numbers with their 95 % intervals";
   }

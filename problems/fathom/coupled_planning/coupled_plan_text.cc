@@ -167,12 +167,12 @@ std::vector<std::string> CoupledPlanComments(const CoupledPlanRequest& request,
   }
   std::vector<std::string> comments = {
       fmt::format(
-          "95 % of the models that the log allows stay within {}, {:g} s of coasting behind "
-          "the command counted along; {:.1f} % of {} break a limit.",
+          "95 % of the models that the log allows stay within {}. This counts {:g} s of coasting "
+          "behind the command. Of {} models {:.1f} % break a limit.",
           fmt::join(ReachesOf(request.model.model.dofs, plan), ", "),
           kCoastAfterwards,
-          100.0 * plan.share_breaking,
-          plan.num_models),
+          plan.num_models,
+          100.0 * plan.share_breaking),
       NoiseComment(request, plan),
       fmt::format("The ordinary sines: {} at {:g} rad/s, as much as the limits leave.",
                   fmt::join(amplitudes, ", "),

@@ -251,7 +251,7 @@ std::vector<std::string> OrdinaryComments(const OrdinaryRequest& request,
 }
 
 Table ChosenStretchTable(const OrdinaryRequest& request, const OrdinaryDives& dives) {
-  Table table = {.caption = "Stretches that do: half 95 % intervals, of each with those above it",
+  Table table = {.caption = "Stretches that do: half 95 % intervals; each row counts those above it too",
                  .columns = {{"choice"}, {"stretch"}},
                  .rows = {}};
   AddParameterColumns(dives, &table);

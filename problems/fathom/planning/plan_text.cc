@@ -98,7 +98,7 @@ std::string SeparationSentence(const PlanRequest& request, const ExperimentPlan&
 std::string RangeText(const ValueRange& range, const ValueRange& limit, std::string_view unit) {
   std::string text = fmt::format("{:.2f} to {:.2f} {}", range.low, range.high, unit);
   const auto end = [](double value) {
-    return std::isfinite(value) ? fmt::format("{:g}", value) : "any";
+    return std::isfinite(value) ? fmt::format("{:.3g}", value) : "any";
   };
   if (std::isfinite(limit.low) || std::isfinite(limit.high)) {
     text += fmt::format(" (limits {} to {})", end(limit.low), end(limit.high));
@@ -125,11 +125,12 @@ std::string PlanSentence(const PlanRequest& request, const ExperimentPlan& plan)
                       HalfShare(weakest->with_log_so_far, weakest->value));
   }
   return text + fmt::format(
-                    " The least known parameter, {}, is then known to {} instead of {}; an "
-                    "ordinary sine of that length gives {}.",
+                    " The least known parameter is {}: {} so far, {} by this run alone, {} by "
+                    "both; an ordinary sine of that length gives {}.",
                     weakest->name,
-                    HalfShare(weakest->after, weakest->value),
                     HalfShare(weakest->before, weakest->value),
+                    HalfShare(weakest->after, weakest->value),
+                    HalfShare(weakest->with_log_so_far, weakest->value),
                     HalfShare(weakest->sine, weakest->value));
 }
 
@@ -138,13 +139,13 @@ std::vector<std::string> PlanComments(const PlanRequest& request, const Experime
   const double speed = request.limits.speed;
   std::vector<std::string> comments = {
       fmt::format(
-          "95 % of the models that the log allows stay within {} and {}, {:g} s of coasting "
-          "behind the command counted along; {:.1f} % of {} break a limit.",
+          "95 % of the models that the log allows stay within {} and {}. This counts {:g} s of "
+          "coasting behind the command. Of {} models {:.1f} % break a limit.",
           RangeText(plan.speed_range, {-speed, speed}, VelocityUnit(dof)),
           RangeText(plan.distance_range, request.limits.distance, DisplacementUnit(dof)),
           kCoastAfterwards,
-          100.0 * plan.share_breaking,
-          plan.num_models),
+          plan.num_models,
+          100.0 * plan.share_breaking),
       fmt::format("The intervals hold for {} noise of {:.2g} {} on {:.3g} velocities a second{}{}.",
                   ColourOf(request).empty() ? "white" : "coloured",
                   plan.measurement.noise,

@@ -157,8 +157,11 @@ Table LimitTable(const Diagnosis& diagnosis) {
   for (const ExclusionLimit& limit : diagnosis.limits) {
     const EffectParameter& parameter = limit.effect->info().parameters.front();
     const std::string unit = UnitOf(parameter.quantity, diagnosis.dof, diagnosis.force_unit);
+    // As many digits as tell both ends apart.
+    const bool is_narrow = fmt::format("{:.3g}", limit.low) == fmt::format("{:.3g}", limit.high);
     const auto text = [&](double value) {
-      return fmt::format("{:.3g}{}", value, unit == "-" ? "" : " " + UnitText(unit));
+      const std::string number = fmt::format("{:.{}g}", value, is_narrow ? 6 : 3);
+      return fmt::format("{}{}", number, unit == "-" ? "" : " " + UnitText(unit));
     };
     const std::string excluded =
         !limit.is_told           ? "nothing: these logs cannot show it"
