@@ -54,9 +54,8 @@ TEST(CoupledSimulation, RunsOverACommandAlone) {
   const CsvColumns simulated = ReadColumns(out);
   ASSERT_EQ(simulated.rows.size(), ReadColumns(log / "command.csv").rows.size());
   const auto& at = simulated.rows[simulated.rows.size() / 2];
-  const auto beside = std::ranges::min_element(measured.rows, {}, [&](const auto& row) {
-    return std::abs(row.front() - at.front());
-  });
+  const auto beside = std::ranges::min_element(
+      measured.rows, {}, [&](const auto& row) { return std::abs(row.front() - at.front()); });
   EXPECT_NEAR(at[1], (*beside)[1], 0.05);
 }
 

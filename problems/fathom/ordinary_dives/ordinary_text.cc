@@ -251,9 +251,10 @@ std::vector<std::string> OrdinaryComments(const OrdinaryRequest& request,
 }
 
 Table ChosenStretchTable(const OrdinaryRequest& request, const OrdinaryDives& dives) {
-  Table table = {.caption = "Stretches that do: half 95 % intervals; each row counts those above it too",
-                 .columns = {{"choice"}, {"stretch"}},
-                 .rows = {}};
+  Table table = {
+      .caption = "Stretches that do: half 95 % intervals; each row counts those above it too",
+      .columns = {{"choice"}, {"stretch"}},
+      .rows = {}};
   AddParameterColumns(dives, &table);
   for (const std::size_t k : dives.chosen) {
     const OrdinaryStretch& stretch = dives.stretches[k];

@@ -45,6 +45,8 @@ TEST(CoupledDiagnosis, SaysWhatRunsOfTheFitMiss) {
   CoupledIdentification identified = TumblingRov();
   ASSERT_TRUE(identified.is_usable) << identified.message;
   identified.fitted.model.quadratic_damping(Index(Dof::kRoll), Index(Dof::kRoll)) *= 1.1;
+  identified.prediction =
+      *PredictCoupled(identified.fitted.model, identified.data, identified.fit_options.window);
   const CoupledDiagnosis diagnosis = DiagnoseCoupled(identified, {});
   EXPECT_THAT(diagnosis.missed, ::testing::Contains(Dof::kRoll));
 }

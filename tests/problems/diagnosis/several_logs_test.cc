@@ -3,12 +3,12 @@
 
 // What belongs to a run, in one of several logs that are diagnosed together.
 
-#include "fathom/log/distinct_names.h"
 #include "fathom/diagnosis/data/measured_segments.h"
 #include "fathom/diagnosis/data/training_data.h"
 #include "fathom/diagnosis/diagnosis.h"
 #include "fathom/diagnosis/measures/held_out.h"
 #include "fathom/diagnosis/search/suspects.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/files/model_file.h"
 

@@ -5,8 +5,8 @@
 
 #include "fathom/base/input_error.h"
 #include "fathom/diagnosis/data/log_channels.h"
-#include "fathom/log/distinct_names.h"
 #include "fathom/diagnosis/data/uneven_noise.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/signal/sources/log_column.h"
 #include "fathom/signal/split_at_gaps.h"
 #include "fathom/simulate/effect_inputs.h"

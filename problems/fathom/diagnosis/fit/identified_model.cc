@@ -3,9 +3,9 @@
 
 #include "fathom/diagnosis/fit/identified_model.h"
 
-#include "fathom/log/distinct_names.h"
 #include "fathom/identification/identification.h"
 #include "fathom/identification/log_agreement.h"
+#include "fathom/log/distinct_names.h"
 #include "fathom/signal/joined_signals.h"
 
 #include <cstddef>
