@@ -51,21 +51,25 @@ std::string ClauseOn(std::span<const CheckedLog> logs,
 
 std::string ClauseOnInertia(std::span<const CheckedLog> logs, Dof dof) {
   std::vector<double> masses;
+  double usual = 0.0;
   for (const CheckedLog& log : logs) {
     const DofCheckup* const of_dof = FindDof(log.checkup, dof);
     if (of_dof == nullptr) continue;
-    const auto unusual = UnusualMasses(log.checkup.log, dof, *of_dof->model);
-    if (unusual) masses.push_back(*unusual);
+    const auto unusual = UnusualMassOf(log.checkup.log, dof, *of_dof->model);
+    if (!unusual) continue;
+    masses.push_back(unusual->inertia);
+    usual = std::max(usual, unusual->usual);
   }
   if (masses.empty()) return "";
   const auto [least, most] = std::ranges::minmax(masses);
   const std::string low = ShortNumber(least, 2), high = ShortNumber(most, 2);
   return fmt::format(
-      "the inertia in {} is {} times the dry mass in {} of {} logs (up to 3 is usual)",
+      "the inertia in {} is {} times the dry mass in {} of {} logs (up to {} is usual)",
       Name(dof),
       low == high ? low : low + " to " + high,
       masses.size(),
-      logs.size());
+      logs.size(),
+      ShortNumber(usual, 2));
 }
 
 // What is to be known beside red findings, a clause each.

@@ -11,24 +11,26 @@
 
 namespace fathom {
 
-std::optional<double> UnusualMasses(const Log& log, Dof dof, const Identification& model) {
+std::optional<UnusualMass> UnusualMassOf(const Log& log, Dof dof, const Identification& model) {
   if (IsAngular(dof) || !model.is_usable || model.fitted.force_unit != ForceUnit(dof)) {
     return std::nullopt;
   }
   const std::optional<Body> body = BodyOf({&log, 1});
   if (!body) return std::nullopt;
   const double inertia = model.fitted.model.inertia;
-  if (!(inertia > UsualInertia(dof, *body))) return std::nullopt;
-  return inertia / body->mass;
+  const double usual = UsualInertia(dof, *body);
+  if (!(inertia > usual)) return std::nullopt;
+  return UnusualMass{inertia / body->mass, usual / body->mass};
 }
 
 std::optional<Finding> CheckUsualMass(const Log& log, Dof dof, const Identification& model) {
-  const std::optional<double> masses = UnusualMasses(log, dof, model);
-  if (!masses) return std::nullopt;
+  const auto unusual = UnusualMassOf(log, dof, model);
+  if (!unusual) return std::nullopt;
   return Finding{Severity::kNote,
                  "heavy",
-                 fmt::format("The inertia is {} times the dry mass (up to 3 is usual).",
-                             ShortNumber(*masses, 2))};
+                 fmt::format("The inertia is {} times the dry mass (up to {} is usual).",
+                             ShortNumber(unusual->inertia, 2),
+                             ShortNumber(unusual->usual, 2))};
 }
 
 }  // namespace fathom

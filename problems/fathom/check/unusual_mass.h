@@ -11,9 +11,15 @@
 
 namespace fathom {
 
-// How many dry masses of the log's vehicle the inertia of a model is, where that is more than
-// UsualInertia(); nothing where it is not, the model is not usable, or no mass is known.
-std::optional<double> UnusualMasses(const Log& log, Dof dof, const Identification& model);
+// In dry masses of the vehicle.
+struct UnusualMass {
+  double inertia = 0.0;
+  double usual = 0.0;  // UsualInertia(), which is less
+};
+
+// Of the inertia of a model; nothing where it is usual, the model is not usable, or no mass is
+// known.
+std::optional<UnusualMass> UnusualMassOf(const Log& log, Dof dof, const Identification& model);
 
 // The same as a note, `heavy`.
 std::optional<Finding> CheckUsualMass(const Log& log, Dof dof, const Identification& model);

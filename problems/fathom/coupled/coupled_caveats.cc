@@ -3,6 +3,7 @@
 
 #include "fathom/coupled/coupled_caveats.h"
 
+#include "fathom/base/interval95.h"
 #include "fathom/simulate/noise_floor.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 #include "fathom/vehicle/coupled/entry_value.h"
@@ -32,7 +33,7 @@ void AddUnitOfForces(const IdentificationTask& task, Caveats* caveats) {
 void AddFinsTurnedRound(const CoupledSummary& fit, Caveats* caveats) {
   for (const FreeEntry& entry : fit.entries) {
     if (entry.kind != FreeEntry::Kind::kFinForce) continue;
-    if (ValueIn(fit.model, entry) + 1.96 * StdOf(fit, entry) >= 0.0) continue;
+    if (ValueIn(fit.model, entry) + kStdsOf95 * StdOf(fit, entry) >= 0.0) continue;
     caveats->push_back(
         fmt::format("{} is below 0: in this log the fin turns the vehicle the other way than its "
                     "vehicle file says. Turn its `axis` round, or the sign of its angles.",
@@ -82,7 +83,7 @@ void AddOpenDampings(const CoupledSummary& fit, Caveats* caveats) {
                             entry.kind == FreeEntry::Kind::kQuadraticDamping;
     if (!is_damping || entry.row != entry.column) continue;
     if (std::ranges::count(fit.on_bound, entry) > 0) continue;
-    if (1.96 * StdOf(fit, entry) > std::abs(ValueIn(fit.model, entry))) {
+    if (kStdsOf95 * StdOf(fit, entry) > std::abs(ValueIn(fit.model, entry))) {
       open.push_back(NameOf(entry));
     }
   }

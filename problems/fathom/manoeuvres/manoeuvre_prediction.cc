@@ -231,8 +231,8 @@ ManoeuvrePrediction PredictSteering(const FittedCoupledModel& fitted,
   const std::vector<Dof>& modelled = fitted.model.dofs;
   if (std::ranges::find(modelled, Dof::kSway) == modelled.end()) {
     report.sentences.push_back(
-        "Sway is not in this model: K and T hold of a vessel that drifts little. Of a ship K may "
-        "be half as large as it is: where sway is measured, identify --dofs=surge,sway,yaw.");
+        "Sway is not in this model: K and T hold for a vessel that hardly drifts. A ship's K can "
+        "come out at less than half. Where sway is measured, identify --dofs=surge,sway,yaw.");
   }
   report.num_draws = draws.count;
   report.num_astray = NumAstray(drawn);

@@ -40,7 +40,7 @@ std::size_t BreakOf(std::string_view line, std::size_t width) {
   return at;
 }
 
-std::string Broken(std::string line, std::size_t width) {
+std::string Wrapped(std::string line, std::size_t width) {
   const std::string indent(IndentOf(line, width), ' ');
   std::string text;
   while (Columns(line) > width) {
@@ -55,17 +55,17 @@ std::string Broken(std::string line, std::size_t width) {
 }  // namespace
 
 std::string WrappedText(std::string_view text, std::size_t width) {
-  std::string broken;
+  std::string wrapped;
   bool is_in_table = false;
   while (!text.empty()) {
     const std::string_view line = FirstLine(text);
     const bool has_end = line.size() < text.size();
     text.remove_prefix(line.size() + (has_end ? 1 : 0));
     is_in_table = IsRule(FirstLine(text)) || (is_in_table && line.find("  ") != line.npos);
-    broken += is_in_table ? std::string(line) : Broken(std::string(line), width);
-    if (has_end) broken += "\n";
+    wrapped += is_in_table ? std::string(line) : Wrapped(std::string(line), width);
+    if (has_end) wrapped += "\n";
   }
-  return broken;
+  return wrapped;
 }
 
 }  // namespace fathom

@@ -12,9 +12,10 @@
 namespace fathom {
 
 // Where a free run starts at a sample of a segment: with the velocities from which the model's run
-// fits the first two seconds behind it best (ten samples at least), in least squares, each DOF by
-// what its run from MeasuredState() misses; where and turned as that. A straight line through
-// samples is no state where the motion bends. MeasuredState() itself where the run diverges.
+// fits the first two seconds behind it best (ten samples at least), in least squares, each DOF over
+// what is missed of it, outliers left out: FittedStart() of several DOFs. Place and attitude are
+// those of MeasuredState(), and so is all where the run diverges. A straight line through samples
+// is no state where the motion bends.
 CoupledState FittedCoupledStart(const CoupledModel& model,
                                 const CoupledData& log,
                                 const CoupledSegment& segment,

@@ -45,6 +45,14 @@ TEST(FittedCoupledStart, IsTheStateWhereTheMotionBends) {
   EXPECT_GT((MeasuredState(segment, kAtAStep).nu - truth).norm(), 1e-2);
 }
 
+TEST(FittedCoupledStart, HeedsNoSampleThatIsFarOff) {
+  CoupledData data = PlainRun();
+  CoupledSegment& segment = data.segments.front();
+  const Vector6 truth = segment.velocity[kAtAStep];
+  segment.velocity[kAtAStep + 4][0] += 1.0;
+  EXPECT_LT((FittedCoupledStart(Rov(), data, segment, kAtAStep).nu - truth).norm(), 1e-3);
+}
+
 TEST(FittedCoupledStart, IsAsMeasuredWhereTheRunDiverges) {
   const CoupledData data = PlainRun();
   const CoupledSegment& segment = data.segments.front();
