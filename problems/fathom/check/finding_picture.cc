@@ -3,7 +3,7 @@
 
 #include "fathom/check/finding_picture.h"
 
-#include "fathom/findings/camera_clock.h"
+#include "fathom/findings/camera_delay.h"
 #include "fathom/findings/command_clock.h"
 #include "fathom/findings/twin_motion.h"
 #include "fathom/findings/values/pose_yaw.h"

@@ -7,7 +7,7 @@
 #include "fathom/base/median.h"
 #include "fathom/base/shell_word.h"
 #include "fathom/check/unusual_mass.h"
-#include "fathom/findings/camera_clock.h"
+#include "fathom/findings/camera_delay.h"
 #include "fathom/findings/command_check.h"
 #include "fathom/findings/command_clock.h"
 #include "fathom/findings/fin_check.h"

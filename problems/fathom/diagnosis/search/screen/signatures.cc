@@ -4,7 +4,7 @@
 #include "fathom/diagnosis/search/screen/signatures.h"
 
 #include "fathom/base/parallel_for.h"
-#include "fathom/simulate/thruster_force.h"
+#include "fathom/simulate/mean_thruster_forces.h"
 #include "fathom/vehicle/effect_law.h"
 
 #include <algorithm>

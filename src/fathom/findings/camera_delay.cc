@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/findings/camera_clock.h"
+#include "fathom/findings/camera_delay.h"
 
 #include "fathom/findings/twin_motion.h"
 

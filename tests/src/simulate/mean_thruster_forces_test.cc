@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Fathom authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fathom/simulate/thruster_force.h"
+#include "fathom/simulate/mean_thruster_forces.h"
 
 #include "fathom/vehicle/effects/catalogue.h"
 
