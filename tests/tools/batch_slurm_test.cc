@@ -51,7 +51,7 @@ std::string Output(const std::string& program, const std::vector<std::string>& a
   return result.out;
 }
 
-std::vector<std::string> LinesOf(const std::string& text) {
+std::vector<std::string> PrintedLines(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -167,7 +167,7 @@ std::vector<std::string> WaitingTasks(const fs::path& marks) {
 
 // Whether the process whose number stands in a file is there, and no zombie.
 bool IsAlive(const fs::path& mark) {
-  const std::string number = LinesOf(FileText(mark)).at(0);
+  const std::string number = PrintedLines(FileText(mark)).at(0);
   const std::string status = FileText(fs::path("/proc") / number / "status");
   return !status.empty() && status.find("State:\tZ") == std::string::npos;
 }
@@ -177,12 +177,12 @@ std::string StateOf(const std::string& job) {
   return Output("squeue", {"-h", "-r", "-t", "all", "-o", "%T", "-j", job});
 }
 
-std::vector<std::string> StatesOf(const std::string& array) { return LinesOf(StateOf(array)); }
+std::vector<std::string> StatesOf(const std::string& array) { return PrintedLines(StateOf(array)); }
 
 // Slurm lets tasks that it has queued again wait for so long.
 void DoNotWaitTwoMinutes(const std::string& array) {
   for (const std::string& line :
-       LinesOf(Output("squeue", {"-h", "-r", "-t", "PD", "-o", "%r %i", "-j", array}))) {
+       PrintedLines(Output("squeue", {"-h", "-r", "-t", "PD", "-o", "%r %i", "-j", array}))) {
     if (!line.starts_with("BeginTime ")) continue;
     const std::string job = line.substr(line.find(' ') + 1);
     // It may have begun by now.
@@ -207,7 +207,7 @@ std::vector<std::string> PublicTables(SQLite::Database* database) {
 }
 
 // A table's rows as SQL literals, which give numbers to the last bit; without times and memory.
-std::vector<std::string> RowsOf(const std::string& table, SQLite::Database* database) {
+std::vector<std::string> TableRows(const std::string& table, SQLite::Database* database) {
   std::vector<std::string> columns;
   SQLite::Statement info(*database, "SELECT name FROM pragma_table_info(?)");
   info.bind(1, table);
@@ -235,12 +235,12 @@ void ExpectSameTables(const fs::path& ours, const fs::path& theirs) {
   EXPECT_THAT(tables, IsSupersetOf({"logs", "fits", "verdicts", "causes", "changes"}));
   EXPECT_EQ(tables, PublicTables(&b));
   for (const std::string& table : tables) {
-    EXPECT_EQ(RowsOf(table, &a), RowsOf(table, &b)) << table;
+    EXPECT_EQ(TableRows(table, &a), TableRows(table, &b)) << table;
   }
 }
 
 // Names of what is in a folder.
-std::vector<std::string> Entries(const fs::path& folder) {
+std::vector<std::string> NamesIn(const fs::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
   std::ranges::sort(names);
@@ -313,7 +313,7 @@ TEST_F(BatchOnSlurm, LosesANodeAndGivesWhatOneMachineGives) {
     ASSERT_EQ(StateOf(array + "_" + task), "RUNNING\n");
     ASSERT_FALSE(fs::exists(results_.string() + ".part" + task));
   }
-  EXPECT_THAT(Entries(slurm.Disk("node2")), Not(IsEmpty()));
+  EXPECT_THAT(NamesIn(slurm.Disk("node2")), Not(IsEmpty()));
   slurm.Lose("node2");
   for (const std::string& task : victims) ASSERT_FALSE(IsAlive(marks_ / task)) << task;
   fs::remove_all(slurm.Disk("node2"));
@@ -348,9 +348,9 @@ TEST_F(BatchOnSlurm, LosesANodeAndGivesWhatOneMachineGives) {
   EXPECT_THAT(Outputs(), Not(HasSubstr("No statement on change")));
 
   // Nothing is left behind.
-  EXPECT_THAT(Entries(slurm.Disk("node1")), IsEmpty());
-  EXPECT_THAT(Entries(slurm.Disk("node2")), IsEmpty());
-  EXPECT_THAT(Entries(results_.parent_path()), Not(Contains(HasSubstr("copy"))));
+  EXPECT_THAT(NamesIn(slurm.Disk("node1")), IsEmpty());
+  EXPECT_THAT(NamesIn(slurm.Disk("node2")), IsEmpty());
+  EXPECT_THAT(NamesIn(results_.parent_path()), Not(Contains(HasSubstr("copy"))));
 }
 
 }  // namespace

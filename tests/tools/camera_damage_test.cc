@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
@@ -25,8 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-const std::string kFilms = std::string(FATHOM_DATA_DIR) + "/films/";
 
 // Two seconds of a vehicle ahead of four markers: detections, or images, and no poses.
 fs::path FilmedLog(const fs::path& folder, bool rendered) {

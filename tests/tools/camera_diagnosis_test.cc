@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
@@ -26,8 +27,6 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
 using Names = std::set<std::string>;
-
-const std::string kFilms = std::string(FATHOM_DATA_DIR) + "/films/";
 
 // A minute and a half of the vehicle of small_log.h ahead of four markers: velocities at 5 mm/s,
 // corners at 0.3 px.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bundled_data.h"
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
@@ -24,8 +25,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
-
-const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
 
 // One run over the bundled log with every output, in the running test's folder.
 struct FlatfishRun {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include "small_log.h"
@@ -27,8 +28,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
-
-const std::string kData = FATHOM_DATA_DIR;
 
 ToolRun Diagnosed(const Path& log, std::vector<std::string> arguments = {}) {
   arguments.insert(arguments.begin(), Flag("log", log));

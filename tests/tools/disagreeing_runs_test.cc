@@ -26,7 +26,7 @@ using Path = std::filesystem::path;
 constexpr std::array<double, 4> kInertias = {40.0, 40.0, 41.0, 40.0};  // [kg]
 
 // small_log.h's vehicle with another inertia [kg].
-std::string VehicleYaml(double inertia) {
+std::string YamlOfInertia(double inertia) {
   std::string text = SmallVehicleYaml();
   const std::string usual = "inertia: 40";
   return text.replace(text.find(usual), usual.size(), fmt::format("inertia: {}", inertia));
@@ -73,7 +73,7 @@ TEST(DisagreeingRuns, AreToldOneByOneWithTheOneThatStandsApart) {
   for (std::size_t k = 0; k < kInertias.size(); ++k) {
     const std::string name = fmt::format("run_{}", k + 1);
     const int seed = static_cast<int>(k) + 1;
-    const Path log = SmallLogWith(folder, name, "", seed, VehicleYaml(kInertias[k]));
+    const Path log = SmallLogWith(folder, name, "", seed, YamlOfInertia(kInertias[k]));
     WriteTestFile(log / "log.yaml", "name: " + name + "\ndof: surge\nheld_out: [70, 90]\n");
     arguments.push_back(Flag("log", log));
   }

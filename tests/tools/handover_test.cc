@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "run_tool.h"
 #include "saved_files.h"
 #include <gmock/gmock.h>
@@ -21,16 +22,15 @@ namespace {
 using ::testing::HasSubstr;
 using Path = std::filesystem::path;
 
-const std::string kData = FATHOM_DATA_DIR;
 constexpr double kHeaveInertia = 1511.53;  // [kg], of data/vehicles/flatfish.yaml
 
 // Two markers of 0.4 m, 2 m apart one above the other, 3.5 m ahead of a camera that sees 2.2 m of
 // height there: the upper one in full down to a depth of 0.3 m, the lower one from 0.5 m on, none
 // in between. True poses in pose.csv.
-Path Synthesize(const Path& folder,
-                const std::string& experiment,
-                const std::string& film,
-                std::vector<std::string> more = {}) {
+Path SynthesizedFilm(const Path& folder,
+                     const std::string& experiment,
+                     const std::string& film,
+                     std::vector<std::string> more = {}) {
   WriteTestFile(folder / "camera.yaml",
                 "image_width: 800\nimage_height: 400\ncamera_name: letterbox\n"
                 "camera_matrix: {rows: 3, cols: 3, data: [640, 0, 399.3, 0, 640, 199.6, 0, 0, 1]}\n"
@@ -93,11 +93,11 @@ std::vector<double> ErrorsOverStd(const Path& found, const Path& truth, const st
 
 TEST(Handover, TrackGoesOnWithTheNextMarkerAndCountsTheGap) {
   const Path folder = EmptyTestFolder();
-  const Path log = Synthesize(folder,
-                              "duration: 4\nheave: {control: open_loop, initial_speed: 0.4, "
-                              "input: {kind: sine, amplitude: 0, frequency: 1}}\n",
-                              "exposure: 0.01\nwater: {attenuation: 0.1, noise: 2}\n",
-                              {"--render"});
+  const Path log = SynthesizedFilm(folder,
+                                   "duration: 4\nheave: {control: open_loop, initial_speed: 0.4, "
+                                   "input: {kind: sine, amplitude: 0, frequency: 1}}\n",
+                                   "exposure: 0.01\nwater: {attenuation: 0.1, noise: 2}\n",
+                                   {"--render"});
   const Path tracked = folder / "tracked", summary = folder / "track.json";
   const ToolRun run =
       RunsWell("fathom_track", {Flag("log", log), Flag("out", tracked), Flag("summary", summary)});
@@ -128,11 +128,12 @@ TEST(Handover, TrackGoesOnWithTheNextMarkerAndCountsTheGap) {
 
 TEST(Handover, RefineFitsOneModelAcrossTheGaps) {
   const Path folder = EmptyTestFolder();
-  const Path log = Synthesize(folder,
-                              "duration: 60\nheave: {control: closed_loop, setpoint: {kind: sine, "
-                              "amplitude: 1, frequency: 0.3}, pid: {kp: 3000, ki: 300, kd: 2500, "
-                              "limit: 800}}\n",
-                              "hold: {position: 0.01, angle: 0.005}\ncorner_sigma: 0.3\n");
+  const Path log =
+      SynthesizedFilm(folder,
+                      "duration: 60\nheave: {control: closed_loop, setpoint: {kind: sine, "
+                      "amplitude: 1, frequency: 0.3}, pid: {kp: 3000, ki: 300, kd: 2500, "
+                      "limit: 800}}\n",
+                      "hold: {position: 0.01, angle: 0.005}\ncorner_sigma: 0.3\n");
   const auto seen = SeenIn(log);
   EXPECT_EQ(HandoversIn(seen), 6);  // a period is 21 s
   const Path json = folder / "rows.json", refined = folder / "refined.csv";

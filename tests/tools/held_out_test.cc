@@ -19,18 +19,18 @@ using ::testing::HasSubstr;
 using Path = std::filesystem::path;
 
 // The small log with this line more in its log.yaml.
-Path WriteLog(const Path& folder, const std::string& line) {
+Path WriteLogWith(const Path& folder, const std::string& line) {
   WriteSmallLog(folder);
   WriteTestFile(folder / "log.yaml", "name: small\ndof: surge\n" + line);
   return folder;
 }
 
-struct Asked {
+struct FitOrScore {
   std::string tool;
   std::vector<std::string> flags;  // beside --log
 };
 
-std::vector<Asked> ToolsThatFitOrScore(const Path& folder) {
+std::vector<FitOrScore> ToolsThatFitOrScore(const Path& folder) {
   const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
   return {{"fathom_identify", {"--dof=surge"}},
           {"fathom_compare", {"--dofs=surge"}},
@@ -39,7 +39,7 @@ std::vector<Asked> ToolsThatFitOrScore(const Path& folder) {
           {"fathom_check", {"--dof=surge"}}};
 }
 
-ToolRun RunOn(const Asked& asked, const Path& log, const std::string& held_out = "") {
+ToolRun RunOn(const FitOrScore& asked, const Path& log, const std::string& held_out = "") {
   std::vector<std::string> arguments = asked.flags;
   arguments.push_back(Flag("log", log));
   if (!held_out.empty()) arguments.push_back("--held_out=" + held_out);
@@ -62,9 +62,9 @@ std::string OutOf(const ToolRun& run, const Path& log) {
 
 TEST(HeldOut, TakesThePlaceOfLogYamls) {
   const Path folder = EmptyTestFolder();
-  const Path log = WriteLog(folder / "log", "held_out: [[10, 20], [45, 60]]\n");
-  const Path other = WriteLog(folder / "other" / "log", "held_out: [0, 30]\n");
-  for (const Asked& asked : ToolsThatFitOrScore(folder)) {
+  const Path log = WriteLogWith(folder / "log", "held_out: [[10, 20], [45, 60]]\n");
+  const Path other = WriteLogWith(folder / "other" / "log", "held_out: [0, 30]\n");
+  for (const FitOrScore& asked : ToolsThatFitOrScore(folder)) {
     const ToolRun expected = RunOn(asked, log);
     const ToolRun run = RunOn(asked, other, "10:20,45:60");
     EXPECT_EQ(run.exit_code, expected.exit_code) << asked.tool << run.err;
@@ -86,8 +86,8 @@ TEST(HeldOut, IsPartOfTheCommandThatACheckProposes) {
 TEST(HeldOut, HoldsDataOutOfASingleCsv) {
   const Path folder = EmptyTestFolder();
   const Path csv = WriteTestFile(folder / "small.csv", SmallSingleCsv());
-  const Path log = WriteLog(folder / "log", "held_out: [45, 60]\n");
-  const Asked identify = {"fathom_identify", {"--dof=surge"}};
+  const Path log = WriteLogWith(folder / "log", "held_out: [45, 60]\n");
+  const FitOrScore identify = {"fathom_identify", {"--dof=surge"}};
   const ToolRun run = RunsWell(RunOn(identify, csv, "45:60"));
   EXPECT_THAT(run.out, HasSubstr("held out"));
   const std::string fit = RunOn(identify, log).out;
@@ -96,8 +96,8 @@ TEST(HeldOut, HoldsDataOutOfASingleCsv) {
 
 TEST(HeldOut, RefusesWhatLiesOutsideTheLog) {
   const Path folder = EmptyTestFolder();
-  const Path log = WriteLog(folder / "log", "held_out: [45, 60]\n");
-  for (const Asked& asked : ToolsThatFitOrScore(folder)) {
+  const Path log = WriteLogWith(folder / "log", "held_out: [45, 60]\n");
+  for (const FitOrScore& asked : ToolsThatFitOrScore(folder)) {
     const ToolRun run = RunOn(asked, log, "70:80");
     EXPECT_EQ(run.exit_code, 1) << asked.tool;
     EXPECT_THAT(run.err, HasSubstr("--held_out: 70:80 lies outside the data")) << asked.tool;
@@ -107,8 +107,8 @@ TEST(HeldOut, RefusesWhatLiesOutsideTheLog) {
 
 TEST(HeldOut, IsNamedWhereItLeavesNothingToTrainOn) {
   const Path folder = EmptyTestFolder();
-  const Path log = WriteLog(folder / "log", "");
-  for (const Asked& asked : ToolsThatFitOrScore(folder)) {
+  const Path log = WriteLogWith(folder / "log", "");
+  for (const FitOrScore& asked : ToolsThatFitOrScore(folder)) {
     if (asked.tool == "fathom_simulate" || asked.tool == "fathom_check") continue;
     const ToolRun run = RunOn(asked, log, "0:400");
     EXPECT_EQ(run.exit_code, 1) << asked.tool;
@@ -119,10 +119,10 @@ TEST(HeldOut, IsNamedWhereItLeavesNothingToTrainOn) {
 
 TEST(HeldOut, RefusesWhatIsNoInterval) {
   const Path folder = EmptyTestFolder();
-  const Path log = WriteLog(folder / "log", "");
-  std::vector<Asked> tools = ToolsThatFitOrScore(folder);
+  const Path log = WriteLogWith(folder / "log", "");
+  std::vector<FitOrScore> tools = ToolsThatFitOrScore(folder);
   tools.push_back({"fathom_refine", {"--dof=surge"}});
-  for (const Asked& asked : tools) {
+  for (const FitOrScore& asked : tools) {
     for (const std::string text : {"240", "300:240", "10:20,", "10-20"}) {
       std::vector<std::string> arguments = asked.flags;
       arguments.push_back(Flag("log", log));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
@@ -22,8 +23,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Path = std::filesystem::path;
 
-const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
-
 // The paper's Table I, from which data/flatfish is made, and how close the inertia has to come.
 struct DofTruth {
   const char* dof;
@@ -33,7 +32,7 @@ struct DofTruth {
 
 std::ostream& operator<<(std::ostream& out, const DofTruth& truth) { return out << truth.dof; }
 
-std::string Dof(const ::testing::TestParamInfo<DofTruth>& info) { return info.param.dof; }
+std::string DofOfTruth(const ::testing::TestParamInfo<DofTruth>& info) { return info.param.dof; }
 
 nlohmann::json IdentifiedModel(const std::vector<std::string>& arguments) {
   const Path model = TestFolder() / "model.json";
@@ -89,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(TableI,
                          ::testing::Values(DofTruth{"surge", 851.05, 0.01},
                                            DofTruth{"heave", 1511.53, 0.02},
                                            DofTruth{"yaw", 301.60, 0.02}),
-                         Dof);
+                         DofOfTruth);
 
 TEST(IdentifyTool, PrintsParametersWithIntervalsAndFigures) {
   const ToolRun run = RunsWell("fathom_identify", {"--log=" + kFlatfish, "--dof=surge"});

@@ -19,12 +19,12 @@ namespace {
 
 using ::testing::StartsWith;
 
-constexpr int kNumRows = 1'500'000;
+constexpr int kManyRows = 1'500'000;
 constexpr double kStep = 0.01;         // [s]
 constexpr double kMostMemory = 500e6;  // [bytes]
 
 // Six tones of 5 N, each held for 0.1 s [N].
-double ForceAt(int row) {
+double LongForceAt(int row) {
   constexpr std::array<double, 6> kFrequencies = {0.15, 0.25, 0.42, 0.71, 1.2, 2.0};  // [rad/s]
   const double time = kStep * (row - row % 10);
   double force = 0.0;
@@ -43,8 +43,8 @@ std::string LongCsv() {
   std::normal_distribution<double> noise(0.0, 0.005);
   std::string csv = "t,tau,v\n";
   double speed = 0.0;
-  for (int row = 0; row < kNumRows; ++row) {
-    const double force = ForceAt(row);
+  for (int row = 0; row < kManyRows; ++row) {
+    const double force = LongForceAt(row);
     csv += fmt::format("{:.2f},{:.4f},{:.5f}\n", kStep * row, force, speed + noise(generator));
     const double half_way = speed + 0.5 * kStep * acceleration(speed, force);
     speed += kStep * acceleration(half_way, force);

@@ -51,7 +51,7 @@ Case SeenByAll(const std::string& name,
   return {name, make, found, found};
 }
 
-std::vector<Case> Table() {
+std::vector<Case> Cases() {
   const auto force = [](double factor) {
     return [=](LogNumbers* log) { ScaleForce(factor, log); };
   };
@@ -129,7 +129,7 @@ TEST_P(Mistakes, AreSaidFirst) {
   ExpectFirst("fathom_simulate", {"--model=" + model, log}, GetParam().on_simulation);
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Mistakes, ::testing::ValuesIn(Table()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Cases, Mistakes, ::testing::ValuesIn(Cases()), [](const auto& info) {
   return info.param.name;
 });
 

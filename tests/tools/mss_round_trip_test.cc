@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "octave.h"
 #include "run_tool.h"
 #include "saved_files.h"
@@ -30,7 +31,6 @@ namespace fathom {
 namespace {
 
 using Path = std::filesystem::path;
-const Path kData = FATHOM_DATA_DIR;
 
 const std::map<std::string, int> kRowOf = {
     {"surge", 1}, {"sway", 2}, {"heave", 3}, {"roll", 4}, {"pitch", 5}, {"yaw", 6}};
@@ -44,7 +44,7 @@ struct RoundTrip {
 
   void Make(const std::string& vehicle, const Path& experiment) const {
     RunsWell("fathom_synthesize",
-             {Flag("vehicle", kData / "vehicles" / vehicle),
+             {Flag("vehicle", Path(kData) / "vehicles" / vehicle),
               Flag("experiment", experiment),
               "--seed=3",
               Flag("out", log)});
@@ -138,21 +138,21 @@ void ExpectScoresOf(const RoundTrip& trip, const std::vector<double>& in_octave)
 TEST(MssRoundTrip, ScoresInOctaveAsFathomSimulateDoesOfOneDof) {
   if (!HasOctave()) GTEST_SKIP() << "octave-cli is not installed";
   const RoundTrip trip{.dofs = {"surge"}};
-  trip.Make("flatfish.yaml", kData / "experiments" / "surge_multisine.yaml");
+  trip.Make("flatfish.yaml", kData + "/experiments/surge_multisine.yaml");
   ExpectScoresOf(trip, NmaeInOctave(trip, 240.0));
 }
 
 TEST(MssRoundTrip, ScoresInOctaveAsFathomSimulateDoesOfAVehicleThatTurns) {
   if (!HasOctave()) GTEST_SKIP() << "octave-cli is not installed";
   const RoundTrip trip{.dofs = {"surge", "sway", "yaw"}};
-  trip.Make("planar_rov.yaml", kData / "experiments" / "film_planar.yaml");
+  trip.Make("planar_rov.yaml", kData + "/experiments/film_planar.yaml");
   ExpectScoresOf(trip, NmaeInOctave(trip, 100.0));
 }
 
 // Six axes at once for 100 s, with moments that leave the pitch away from 90 degrees, where Euler
 // angles fail.
 Path GentleSteps(const Path& folder) {
-  std::string steps = TextOf(kData / "experiments" / "random_steps_rov.yaml");
+  std::string steps = TextOf(kData + "/experiments/random_steps_rov.yaml");
   const auto replace = [&](const std::string& from, const std::string& to) {
     for (std::size_t at; (at = steps.find(from)) != std::string::npos;) {
       steps.replace(at, from.size(), to);

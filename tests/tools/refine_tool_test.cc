@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "expect_refusal.h"
 #include "filmed_minute.h"
 #include "run_tool.h"
@@ -22,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::string kData = FATHOM_DATA_DIR;
 
 // Made once for all tests of a process, which damage copies of it only.
 const fs::path& OneMarkerLog() {

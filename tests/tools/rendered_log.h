@@ -9,11 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "run_tool.h"
 
 namespace fathom {
-
-inline const std::string kData = FATHOM_DATA_DIR;
 
 // The bytes of a file.
 std::string Bytes(const std::filesystem::path& path);
@@ -22,7 +21,7 @@ std::string Bytes(const std::filesystem::path& path);
 ToolRun Track(const std::filesystem::path& log, std::vector<std::string> more);
 
 // Twelve rendered frames of a vehicle in surge in front of four markers, and its true poses in
-// pose.csv. Made once for all tests of a process.
+// pose.csv. CTest makes it before the first test that needs it: rendered/.
 const std::filesystem::path& RenderedLog();
 
 // A copy that a test may damage.

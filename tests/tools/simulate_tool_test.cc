@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "expect_refusal.h"
 #include "run_tool.h"
 #include "saved_files.h"
@@ -21,8 +22,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Path = std::filesystem::path;
-
-const std::string kFlatfish = FATHOM_DATA_DIR "/flatfish";
 
 // A log and the model that it comes of.
 class SimulateTool : public ::testing::Test {

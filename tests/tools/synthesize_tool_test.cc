@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "bundled_data.h"
 #include "run_tool.h"
 #include <gmock/gmock.h>
 
@@ -23,7 +24,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kData = FATHOM_DATA_DIR;
 const std::string kVehicle = "--vehicle=" + kData + "/vehicles/flatfish.yaml";
 const std::string kExperiment = "--experiment=" + kData + "/experiments/table1.yaml";
 

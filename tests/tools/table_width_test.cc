@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bundled_data.h"
 #include "real_data.h"
 #include "run_tool.h"
 #include "small_log.h"
@@ -20,7 +21,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string kFlatfish = std::string("--log=") + FATHOM_DATA_DIR + "/flatfish";
+const std::string kLog = "--log=" + kFlatfish;
 
 // Bytes of UTF-8 that continue a character count for nothing.
 std::size_t WidthOf(const std::string& line) {
@@ -56,18 +57,18 @@ void ExpectTablesThatFit(const std::string& tool, const std::vector<std::string>
 
 TEST(TableWidth, IsAtMost100OnTheBundledLogs) {
   const std::string pool = std::string("--from=") + FATHOM_DATA_DIR + "/recordings/pool.csv";
-  ExpectTablesThatFit("fathom_identify", {kFlatfish, "--dof=surge"});
-  ExpectTablesThatFit("fathom_compare", {kFlatfish});
-  ExpectTablesThatFit("fathom_compare", {kFlatfish, "--held_out=240:300"});
-  ExpectTablesThatFit("fathom_diagnose", {kFlatfish, "--dof=surge"});
-  ExpectTablesThatFit("fathom_diagnose", {kFlatfish, "--dof=yaw"});
-  ExpectTablesThatFit("fathom_check", {kFlatfish});
+  ExpectTablesThatFit("fathom_identify", {kLog, "--dof=surge"});
+  ExpectTablesThatFit("fathom_compare", {kLog});
+  ExpectTablesThatFit("fathom_compare", {kLog, "--held_out=240:300"});
+  ExpectTablesThatFit("fathom_diagnose", {kLog, "--dof=surge"});
+  ExpectTablesThatFit("fathom_diagnose", {kLog, "--dof=yaw"});
+  ExpectTablesThatFit("fathom_check", {kLog});
   ExpectTablesThatFit("fathom_import", {pool, "--list"});
 }
 
 TEST(TableWidth, IsAtMost100ForSeveralRuns) {
   const auto folder = EmptyTestFolder();
-  std::vector<std::string> arguments = {"--dof=surge", kFlatfish};
+  std::vector<std::string> arguments = {"--dof=surge", kLog};
   arguments.push_back("--log=" +
                       WriteSmallLog(folder / "run_with_a_long_name_of_its_own").string());
   ExpectTablesThatFit("fathom_identify", arguments);
@@ -78,21 +79,20 @@ TEST(TableWidth, IsAtMost100ForSeveralRuns) {
 TEST(TableWidth, LeavesOutColumnsOfSeveralCheckedLogs) {
   const std::string small =
       "--log=" + WriteSmallLog(EmptyTestFolder() / "run_with_a_long_name_of_its_own").string();
-  const std::string out = RunToolBinary("fathom_check", {kFlatfish, small, "--dof=surge"}).out;
+  const std::string out = RunToolBinary("fathom_check", {kLog, small, "--dof=surge"}).out;
   EXPECT_THAT(out, AllOf(HasSubstr("quadratic_damping [kg/m]\n"), HasSubstr("more with --wide")));
-  const std::string all =
-      RunToolBinary("fathom_check", {kFlatfish, small, "--dof=surge", "--wide"}).out;
+  const std::string all = RunToolBinary("fathom_check", {kLog, small, "--dof=surge", "--wide"}).out;
   EXPECT_THAT(all, AllOf(HasSubstr("buoyancy [N]\n"), Not(HasSubstr("more with --wide"))));
 }
 
 TEST(TableWidth, LeavesOutNoHeldOutScore) {
-  const std::string out = RunToolBinary("fathom_compare", {kFlatfish, "--dofs=yaw"}).out;
+  const std::string out = RunToolBinary("fathom_compare", {kLog, "--dofs=yaw"}).out;
   EXPECT_THAT(out, HasSubstr("held-out NMAE\n"));
   EXPECT_THAT(out, HasSubstr("(5 columns more with --wide)"));
 }
 
 TEST(TableWidth, IsThatOfAllColumnsIfAskedFor) {
-  const std::string out = RunToolBinary("fathom_compare", {kFlatfish, "--dofs=yaw", "--wide"}).out;
+  const std::string out = RunToolBinary("fathom_compare", {kLog, "--dofs=yaw", "--wide"}).out;
   EXPECT_THAT(out, HasSubstr("buoyancy [N m]  training MAE [rad/s]"));
   EXPECT_THAT(out, Not(HasSubstr("more with --wide")));
 }
