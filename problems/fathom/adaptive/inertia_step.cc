@@ -5,12 +5,13 @@
 
 #include "fathom/simulate/run_start.h"
 #include "fathom/simulate/simulate.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/parameters.h"
 
 #include <limits>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -57,11 +58,11 @@ double InertiaStep(const UncoupledModel<double>& model, std::span<const Segment>
     if (!AddSegment(model, segment, &normal)) return kNaN;
   }
   const Eigen::Vector4d unscale = normal.A.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::Matrix4d scaled = unscale.asDiagonal() * normal.A * unscale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(scaled);
-  if (!(eigen.eigenvalues().minCoeff() > 1e-13 * eigen.eigenvalues().maxCoeff())) return kNaN;
-  const Eigen::Vector4d step = unscale.asDiagonal() * eigen.operatorInverseSqrt() *
-                               (eigen.operatorInverseSqrt() * (unscale.asDiagonal() * normal.b));
+  const SymmetricEigen eigen = EigenOf(unscale.asDiagonal() * normal.A * unscale.asDiagonal());
+  if (!(eigen.values.minCoeff() > 1e-13 * eigen.values.maxCoeff())) return kNaN;
+  const Eigen::VectorXd along =
+      (eigen.vectors.transpose() * (unscale.asDiagonal() * normal.b)).cwiseQuotient(eigen.values);
+  const Eigen::Vector4d step = unscale.asDiagonal() * (eigen.vectors * along);
   return step[kInertia] / model.inertia;
 }
 

@@ -4,6 +4,7 @@
 #include "fathom/coupled/entry_search.h"
 
 #include "fathom/coupled/entry_test.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/coupled_effects.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 
@@ -13,8 +14,6 @@
 #include <limits>
 #include <numbers>
 #include <utility>
-
-#include <Eigen/Cholesky>
 
 namespace fathom {
 namespace {
@@ -234,7 +233,7 @@ double StrengthOf(const CoupledSummary& fit, const FreeEntry& entry, const Coupl
   const Eigen::Index at = PlaceOf(fit, entry);
   const Eigen::VectorXd with = fit.covariance(given, at);
   const Eigen::MatrixXd of_given = fit.covariance(given, given);
-  const double variance = fit.covariance(at, at) - with.dot(of_given.ldlt().solve(with));
+  const double variance = fit.covariance(at, at) - with.dot(SolveSymmetric(of_given, with));
   // 1 / limit is as many of its own standard deviations from 0 as the limit is of its.
   const double without = IsLimit(entry) ? 0.0 : WithoutEffect(entry, held);
   return std::abs(ValueIn(fit.model, entry) - without) / std::sqrt(variance);

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -43,7 +43,7 @@ std::vector<EntryTest> TestEntries(std::span<const CoupledData> logs,
   scores.normal += OfPriors(problem, fit.model);
   const Eigen::MatrixXd free_normal = scores.normal.topLeftCorner(num_free, num_free);
   const Eigen::MatrixXd cross = scores.normal.topRightCorner(num_free, num);
-  const Eigen::MatrixXd by = free_normal.ldlt().solve(cross);
+  const Eigen::MatrixXd by = SolveSymmetricColumns(free_normal, cross);
   // What the free numbers cannot imitate.
   const Eigen::MatrixXd own = scores.normal.bottomRightCorner(num, num) - cross.transpose() * by;
   const Eigen::MatrixXd blocks =

@@ -8,6 +8,7 @@
 #include "fathom/coupled/open_entries.h"
 #include "fathom/coupled/physical_barrier.h"
 #include "fathom/coupled/window_scores.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -46,8 +47,7 @@ double BlockLength(const std::vector<CoupledWindow>& windows, std::size_t num_en
 // Of the entries: what white innovations say, widened where the scores scatter more.
 Eigen::MatrixXd CovarianceOf(const WindowScores& at, int num_rows, int num_unknowns) {
   const Eigen::MatrixXd& scores = at.by_block;
-  const Eigen::MatrixXd inverse =
-      at.normal.ldlt().solve(Eigen::MatrixXd::Identity(at.normal.rows(), at.normal.cols()));
+  const Eigen::MatrixXd inverse = InverseOfSymmetric(at.normal);
   const double freedom = std::max(num_rows - num_unknowns, 1);
   const Eigen::MatrixXd model = inverse * (num_rows / freedom);
   if (scores.rows() <= scores.cols()) return model;

@@ -6,6 +6,7 @@
 #include "fathom/coupled/command_forces.h"
 #include "fathom/coupled/fin_angles.h"
 #include "fathom/coupled/physical_barrier.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/coriolis.h"
 #include "fathom/vehicle/coupled/coupled_effects.h"
 #include "fathom/vehicle/coupled/entry_value.h"
@@ -19,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -230,7 +231,7 @@ Eigen::VectorXd Solve(const Balance& balance, Eigen::Index num, Vector6* scatter
     const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
     scaled.diagonal().array() += kRidge;
-    solution = scale.asDiagonal() * scaled.ldlt().solve(scale.cwiseProduct(right));
+    solution = scale.asDiagonal() * SolveSymmetric(scaled, scale.cwiseProduct(right));
   }
   return solution;
 }

@@ -5,6 +5,7 @@
 
 #include "fathom/base/parallel_for.h"
 #include "fathom/coupled/physical_barrier.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/entry_value.h"
 
 #include <algorithm>
@@ -152,7 +153,7 @@ bool StepOf(const Linearised& lines, const PhysicalBarrier& barrier, double damp
   step->decrement = step->of_entries;
   scaled.diagonal().array() -= damping;
   const Eigen::VectorXd rest = damping * scaled_step;
-  step->held_back = std::max(rest.dot(scaled.ldlt().solve(rest)), 0.0);
+  step->held_back = std::max(rest.dot(SolveSymmetric(scaled, rest)), 0.0);
   step->starts.clear();
   for (const WindowNormal& window : lines.windows) {
     const Eigen::VectorXd right = window.s + window.ts.transpose() * step->entries;

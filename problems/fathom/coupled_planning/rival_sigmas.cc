@@ -3,11 +3,11 @@
 
 #include "fathom/coupled_planning/rival_sigmas.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <Eigen/Cholesky>
 
 namespace fathom {
 namespace {
@@ -48,7 +48,7 @@ Imitation ImitationOf(const PlacedRival& pair,
   Eigen::MatrixXd scaled = scales.asDiagonal() * of_others * scales.asDiagonal();
   scaled.diagonal().array() += kTraceOfRival;
   const Eigen::VectorXd shared = scales.cwiseProduct(information(others, pair.truth).col(0));
-  const Eigen::VectorXd by = scaled.ldlt().solve(shared);
+  const Eigen::VectorXd by = SolveSymmetric(scaled, shared);
   const double left = information(pair.truth, pair.truth) - shared.dot(by);
   return {std::max(0.0, left), by[by.size() - 1] * scales[scales.size() - 1]};
 }

@@ -8,13 +8,14 @@
 #include "fathom/exporting/hydrostatics.h"
 #include "fathom/exporting/split_inertia.h"
 #include "fathom/exporting/xml_elements.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 
 #include <array>
 #include <cmath>
 #include <string>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 namespace fathom {
@@ -45,8 +46,8 @@ struct PrincipalInertia {
 };
 
 PrincipalInertia PrincipalInertiaOf(const Eigen::Matrix3d& tensor) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
-  const Eigen::Matrix3d& vectors = solver.eigenvectors();
+  const SymmetricEigen eigen = EigenOf(tensor);
+  const Eigen::Matrix3d vectors = eigen.vectors;
   // The order and senses of the axes in which the turn is smallest.
   constexpr std::array<std::array<int, 3>, 6> kOrders = {
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
@@ -62,7 +63,7 @@ PrincipalInertia PrincipalInertiaOf(const Eigen::Matrix3d& tensor) {
     if (candidate.determinant() < 0.0 || candidate.trace() <= largest) continue;
     largest = candidate.trace();
     axes = candidate;
-    for (int i = 0; i < 3; ++i) principal.moments[i] = solver.eigenvalues()[order[i]];
+    for (int i = 0; i < 3; ++i) principal.moments[i] = eigen.values[order[i]];
   }
   principal.roll_pitch_yaw = {std::atan2(axes(2, 1), axes(2, 2)),
                               std::asin(-axes(2, 0)),

@@ -3,14 +3,13 @@
 
 #include "fathom/trends/archive_events.h"
 
+#include "fathom/solve/decompositions.h"
 #include "fathom/trends/scan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <compare>
 #include <utility>
-
-#include <Eigen/Cholesky>
 
 namespace fathom {
 namespace {
@@ -72,7 +71,7 @@ std::pair<double, int> GainOf(const EventFit& fit, std::span<const char> members
   if (rows.empty()) return {0.0, 0};
   const Eigen::MatrixXd covariance = fit.covariance.bottomRightCorner(m, m)(rows, rows);
   const Eigen::VectorXd difference = fit.difference(rows);
-  return {difference.dot(covariance.ldlt().solve(difference)), static_cast<int>(rows.size())};
+  return {difference.dot(SolveSymmetric(covariance, difference)), static_cast<int>(rows.size())};
 }
 
 // Events that the others explain go, the least telling first.

@@ -4,6 +4,7 @@
 #include "fathom/trends/pattern_fit.h"
 
 #include "fathom/base/chi_square.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +53,7 @@ Linear FitSizes(const Eigen::MatrixXd& directions,
 }
 
 Eigen::VectorXd StdOf(const Eigen::MatrixXd& information) {
-  const Eigen::Index size = information.cols();
-  const Eigen::MatrixXd covariance =
-      information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
-  return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  return InverseOfSymmetric(information).diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
 // Each misfit is computed once: most of the time of naming a cause goes into them.

@@ -3,6 +3,7 @@
 
 #include "fathom/solve/decompositions.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
@@ -45,6 +46,18 @@ Eigen::MatrixXd PivotedQr::TransposedQTimes(const Eigen::MatrixXd& columns) cons
 }
 
 Eigen::VectorXd PivotedQr::Solve(const Eigen::VectorXd& right) const { return qr_.solve(right); }
+
+Eigen::VectorXd SolveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  return matrix.ldlt().solve(right);
+}
+
+Eigen::MatrixXd SolveSymmetricColumns(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  return matrix.ldlt().solve(right);
+}
+
+Eigen::MatrixXd InverseOfSymmetric(const Eigen::MatrixXd& matrix) {
+  return SolveSymmetricColumns(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
 
 Eigen::MatrixXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
   return matrix.completeOrthogonalDecomposition().solve(right);

@@ -46,6 +46,12 @@ class PivotedQr {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
 };
 
+// The x with matrix x = right, of a symmetric matrix that has no eigenvalue below 0.
+Eigen::VectorXd SolveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+// The same column by column.
+Eigen::MatrixXd SolveSymmetricColumns(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+Eigen::MatrixXd InverseOfSymmetric(const Eigen::MatrixXd& matrix);
+
 // The shortest x with the least |matrix x - right|, column by column.
 Eigen::MatrixXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 

@@ -3,12 +3,14 @@
 
 #include "fathom/output_error/parameter_covariance.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "synthetic_run.h"
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 namespace fathom {
@@ -56,8 +58,7 @@ void WriteOut(const UncoupledModel<double>& model,
   }
   // What the initial state cannot imitate.
   const Eigen::MatrixXd states = J.rightCols(StateSize(output));
-  const Eigen::MatrixXd rest =
-      J.leftCols(4) - states * states.colPivHouseholderQr().solve(J.leftCols(4));
+  const Eigen::MatrixXd rest = J.leftCols(4) - states * LeastSquares(states, J.leftCols(4));
   *A = rest.transpose() * rest;
   *B = Eigen::MatrixXd::Zero(4, 4);
   ColouredGram coloured(noise, 4);
@@ -78,7 +79,7 @@ void ExpectWhatTheFormulasSay(FittedOutput output) {
   ASSERT_GT(evidence.noise.order(), 0);
   Eigen::MatrixXd A, B;
   WriteOut(model, segments[0], initial, output, evidence.noise, &A, &B);
-  const Eigen::MatrixXd inverse = A.inverse();
+  const Eigen::MatrixXd inverse = InverseOfSymmetric(A);
   const Eigen::MatrixXd expected = inverse * B * inverse;
   // The freedom factor is one number for all of them, at most 1 + unknowns / unknowns, but for how
   // far rounding takes the two ways of summing up apart.

@@ -7,6 +7,7 @@
 #include "fathom/ordinary_dives/run_normal.h"
 #include "fathom/ordinary_dives/simple_manoeuvres.h"
 #include "fathom/output_error/output_error.h"
+#include "fathom/solve/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@
 #include <vector>
 
 #include "tank_trial.h"
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -316,7 +317,7 @@ TEST(RunNormal, IsThatOfPlainSquaresUnderColouredNoise) {
   const Eigen::MatrixXd B = kSigma * kSigma * X.transpose() * Gamma * X;
   EXPECT_LT((normal.A - A).norm(), 1e-9 * A.norm());
   EXPECT_LT((normal.B - B).norm(), 1e-6 * B.norm());
-  const Eigen::MatrixXd expected = A * B.inverse() * A;
+  const Eigen::MatrixXd expected = A * InverseOfSymmetric(B) * A;
   EXPECT_LT((normal.Information() - expected).norm(), 1e-5 * expected.norm());
   EXPECT_EQ(RunNormal::Zero(2).Information().norm(), 0.0);
 }

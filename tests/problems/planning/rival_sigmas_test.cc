@@ -3,11 +3,12 @@
 
 #include "fathom/coupled_planning/rival_sigmas.h"
 
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/entry_name.h"
 
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -28,7 +29,7 @@ TEST(SigmasOf, AreWhatIsLeftOfTheEffectAfterTheBestImitation) {
   const Eigen::VectorXd effect = -2.5 * columns.col(1);
   Eigen::MatrixXd others(6, 2);
   others << columns.col(0), columns.col(2);
-  const Eigen::VectorXd left = effect - others * others.colPivHouseholderQr().solve(effect);
+  const Eigen::VectorXd left = effect - others * LeastSquares(others, effect);
   const std::vector<double> sigmas = SigmasOf({{1, 2, -2.5}}, 2, columns.transpose() * columns);
   ASSERT_EQ(sigmas.size(), 1u);
   EXPECT_NEAR(sigmas[0], left.norm(), 1e-9);

@@ -166,7 +166,7 @@ TEST(FitNoise, RestrictedLikelihoodIsThatOfTheComplement) {
   const Eigen::MatrixXd dense = D;
   const Eigen::MatrixXd Q = PivotedQr(dense).QTimes(Eigen::MatrixXd::Identity(n, n));
   const Eigen::MatrixXd base = Q.rightCols(n - D.cols());
-  const Eigen::MatrixXd S = base.transpose() * DenseCovariance(fit.model).Of(samples) * base;
+  const Eigen::MatrixXd S = base.transpose() * DenseCovariance(fit.model, samples) * base;
   const Eigen::LLT<Eigen::MatrixXd> llt(S);
   const Eigen::VectorXd left = base.transpose() * e;
   const Eigen::MatrixXd L = llt.matrixL();

@@ -91,7 +91,7 @@ TEST(SmoothDisturbance, IsTheConditionalMeanOfTheDenseGaussian) {
                                                               : cross.WithDisplacement(s, t);
     }
   }
-  const Eigen::LLT<Eigen::MatrixXd> llt(DenseCovariance(model).Of(samples));
+  const Eigen::LLT<Eigen::MatrixXd> llt(DenseCovariance(model, samples));
   const Eigen::VectorXd e = DenseDraws(model, samples, 3).Draw();
   const Eigen::VectorXd mean = C * llt.solve(e);
   const Eigen::MatrixXd explained = C * llt.solve(C.transpose());

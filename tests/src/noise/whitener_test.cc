@@ -95,7 +95,7 @@ std::vector<Case> Cases() {
 // W S W' = I and W lower triangular make W the inverse of the Cholesky factor, a unique matrix.
 TEST(Whitener, IsTheInverseCholeskyFactorOfTheDenseCovariance) {
   for (const Case& c : Cases()) {
-    const Eigen::LLT<Eigen::MatrixXd> llt(DenseCovariance(c.model).Of(c.samples));
+    const Eigen::LLT<Eigen::MatrixXd> llt(DenseCovariance(c.model, c.samples));
     ASSERT_EQ(llt.info(), Eigen::Success) << c.name;
     const auto n = static_cast<Eigen::Index>(c.samples.size());
     const Whitener whitener(c.model, c.samples);
@@ -172,7 +172,7 @@ TEST(Whitener, FollowsADampingRateThatChangesFromSampleToSample) {
 
 TEST(Whitener, LogLikelihoodIsThatOfTheDenseGaussian) {
   for (const Case& c : Cases()) {
-    const Eigen::MatrixXd S = DenseCovariance(c.model).Of(c.samples);
+    const Eigen::MatrixXd S = DenseCovariance(c.model, c.samples);
     const Eigen::LLT<Eigen::MatrixXd> llt(S);
     const Eigen::VectorXd e = DenseDraws(c.model, c.samples, 8).Draw();
     const double n = static_cast<double>(e.size());

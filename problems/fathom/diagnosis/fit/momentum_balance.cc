@@ -6,6 +6,7 @@
 #include "fathom/base/median.h"
 #include "fathom/signal/filters/savitzky_golay.h"
 #include "fathom/simulate/partner_signals.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/effect_stack.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -14,7 +15,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -106,7 +107,8 @@ Eigen::VectorXd Solved(const Eigen::MatrixXd& A,
     const Eigen::VectorXd scale = held.diagonal().cwiseSqrt().cwiseMax(1e-150).cwiseInverse();
     Eigen::MatrixXd scaled = scale.asDiagonal() * held * scale.asDiagonal();
     scaled.diagonal().array() += 1e-9;
-    Eigen::VectorXd solution = scale.asDiagonal() * scaled.ldlt().solve(scale.asDiagonal() * right);
+    Eigen::VectorXd solution =
+        scale.asDiagonal() * SolveSymmetric(scaled, scale.asDiagonal() * right);
     const auto negative = std::find_if(at_least_zero.begin(), at_least_zero.end(), [&](int j) {
       return !is_out[j] && solution[j] < 0.0;
     });

@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -87,7 +87,7 @@ Eigen::VectorXd StepOf(const Normal& normal, const std::vector<int>& free, doubl
     }
     A(i, i) += damping + 1e-12;
   }
-  const Eigen::VectorXd solved = A.ldlt().solve(g);
+  const Eigen::VectorXd solved = SolveSymmetric(A, g);
   Eigen::VectorXd step = Eigen::VectorXd::Zero(normal.g.size());
   for (Eigen::Index i = 0; i < n; ++i) step[free[i]] = scale[i] * solved[i];
   return step;

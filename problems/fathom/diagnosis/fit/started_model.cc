@@ -8,10 +8,11 @@
 #include "fathom/diagnosis/fit/residual_noise.h"
 #include "fathom/diagnosis/fit/unknowns.h"
 #include "fathom/output_error/output_error.h"
+#include "fathom/solve/decompositions.h"
 
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -62,7 +63,7 @@ std::optional<StartedModel> UsersModel(const TrainingData& data, StartedModel us
     const Normal normal = NormalOf(
         white, at->jacobian.rightCols(at->jacobian.cols() - num_parameters), users.residual);
     Unknowns unknowns = Pack(data, users.model, users.initial);
-    unknowns.value.tail(normal.g.size()) += normal.A.ldlt().solve(normal.g);
+    unknowns.value.tail(normal.g.size()) += SolveSymmetric(normal.A, normal.g);
     Unpack(data, unknowns.value, &users.model, &users.initial);
     at = data.Linearise(users.model, users.initial);
     if (!at) return std::nullopt;

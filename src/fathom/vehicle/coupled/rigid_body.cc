@@ -3,9 +3,8 @@
 
 #include "fathom/vehicle/coupled/rigid_body.h"
 
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/coupled/coriolis.h"
-
-#include <Eigen/Eigenvalues>
 
 namespace fathom {
 namespace {
@@ -31,9 +30,7 @@ std::optional<Eigen::Matrix3d> InertiaAboutCentreOfMass(const RigidBody& body) {
 }
 
 bool IsPossibleInertia(const Eigen::Matrix3d& about_centre_of_mass) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about_centre_of_mass,
-                                                              Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d& moments = solver.eigenvalues();  // the largest last
+  const Eigen::Vector3d moments = EigenOf(about_centre_of_mass).values;  // the largest last
   const double rounding = 1e-9 * moments[2];
   return moments[2] > 0.0 && moments[0] >= -rounding &&
          moments[0] + moments[1] >= moments[2] - rounding;

@@ -5,6 +5,7 @@
 
 #include "fathom/diagnosis/fit/fit_with_noise.h"
 #include "fathom/diagnosis/fit/start_price.h"
+#include "fathom/solve/decompositions.h"
 #include "fathom/vehicle/effects/catalogue.h"
 #include "fathom/vehicle/parameters.h"
 
@@ -95,7 +96,7 @@ TEST(FitStructure, StandsWhereDenseGeneralisedLeastSquaresHasNothingToGain) {
   const double chi_squared = residual.dot(Eigen::LLT<Eigen::MatrixXd>(S).solve(residual));
   EXPECT_NEAR(fit.chi_squared, chi_squared, 1e-6 * chi_squared);
   EXPECT_LT(chi_squared - dense.chi_squared, 0.01);
-  const Eigen::MatrixXd covariance = dense.information.inverse();
+  const Eigen::MatrixXd covariance = InverseOfSymmetric(dense.information);
   for (int k = 0; k < kNumParameters; ++k) {
     EXPECT_LT(std::abs(dense.solution[k]), 0.1 * std::sqrt(covariance(k, k))) << k;
     for (int j = 0; j < kNumParameters; ++j) {
@@ -257,7 +258,7 @@ TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
   const Eigen::MatrixXd S = DenseCovariance(Coloured(), data.samples());
   const Eigen::MatrixXd J = JacobianAt(data, fit);
   // Its spread is that without the bound; the others' is that beside a damping known to be zero.
-  const Eigen::MatrixXd unbounded = FitDense(S, J, fit.residual).information.inverse();
+  const Eigen::MatrixXd unbounded = InverseOfSymmetric(FitDense(S, J, fit.residual).information);
   EXPECT_NEAR(
       fit.covariance(kLinearDamping, kLinearDamping) / unbounded(kLinearDamping, kLinearDamping),
       1.0,
@@ -269,7 +270,8 @@ TEST(FitStructure, HoldsAParameterAtItsBoundAndTheOthersAtTheirOptimum) {
   others << J.leftCols(2), J.rightCols(2);
   const DenseFit dense = FitDense(S, others, fit.residual);
   EXPECT_LT(fit.residual.dot(weighted) - dense.chi_squared, 0.01);
-  EXPECT_NEAR(fit.covariance(kInertia, kInertia) / dense.information.inverse()(0, 0), 1.0, 0.01);
+  EXPECT_NEAR(
+      fit.covariance(kInertia, kInertia) / InverseOfSymmetric(dense.information)(0, 0), 1.0, 0.01);
 }
 
 // A late thruster wants less damping of what is fast, a memory gives more: there is none, and of

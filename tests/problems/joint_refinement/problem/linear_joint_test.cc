@@ -3,6 +3,8 @@
 
 #include "fathom/joint_refinement/problem/linear_joint.h"
 
+#include "fathom/solve/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -97,10 +99,8 @@ TEST(LinearJoint, AgreesWithDenseAlgebra) {
   AddCorners(segments[0], set, &system);
   AddChain(segments[0], set, excited, &system);
   AddResponsePriors(set, &system);
-  const Eigen::LDLT<Eigen::MatrixXd> ldlt(system.H);
-  const Eigen::VectorXd x = -ldlt.solve(system.b);
-  const Eigen::MatrixXd inverse =
-      ldlt.solve(Eigen::MatrixXd::Identity(system.g + kNumColumns, system.g + kNumColumns));
+  const Eigen::VectorXd x = -SolveSymmetric(system.H, system.b);
+  const Eigen::MatrixXd inverse = InverseOfSymmetric(system.H);
   EXPECT_LT((joint.change(0) - x.tail(kNumColumns)).norm(), 1e-6 * x.tail(kNumColumns).norm());
   EXPECT_TRUE(
       joint.covariance(0).isApprox(inverse.bottomRightCorner(kNumColumns, kNumColumns), 1e-5));

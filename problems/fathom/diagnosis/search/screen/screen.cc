@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace fathom {
 namespace {
@@ -115,7 +115,7 @@ Eigen::MatrixXd Screen::PairScores(const std::vector<int>& some) const {
       for (Eigen::Index c = first[t]; c < first[t + 1]; ++c) both.push_back(c);
     }
     const Eigen::VectorXd inner = projected(both);
-    const Eigen::VectorXd solved = products(both, both).ldlt().solve(inner);
+    const Eigen::VectorXd solved = SolveSymmetric(products(both, both), inner);
     return solved.allFinite() ? inner.dot(solved) : 0.0;
   };
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(std::ssize(some), std::ssize(some));
