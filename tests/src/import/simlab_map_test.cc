@@ -31,7 +31,7 @@ const std::string kHeader =
     "angular_velocity_estimate.y,angular_velocity_estimate.z,P_x_x,payload.mass\n";
 
 // Row k: each column its number from 1, in tenths, plus k. The rows are 0.05 s apart.
-std::string Rows(int count) {
+std::string SimlabRows(int count) {
   std::string rows;
   for (int k = 0; k < count; ++k) {
     rows += fmt::format("{:.2f},{:.2f}", 0.05 * k, 1757795267.0 + 0.05 * k);
@@ -42,7 +42,7 @@ std::string Rows(int count) {
 }
 
 TEST(SimlabMap, TakesTheWrenchAndTheEstimatedState) {
-  const auto path = ScratchFile("robot_real_.csv", kHeader + Rows(20));
+  const auto path = ScratchFile("robot_real_.csv", kHeader + SimlabRows(20));
   const auto recording = OpenRecording(path);
   const SuggestedMap map = SuggestMap(*recording, std::nullopt);
   EXPECT_TRUE(map.is_ready);
