@@ -7,9 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -17,6 +15,7 @@
 #include <vector>
 
 #include "run_tool.h"
+#include "saved_files.h"
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,20 +48,6 @@ std::string Output(const std::string& program, const std::vector<std::string>& a
                                          result.err));
   }
   return result.out;
-}
-
-std::vector<std::string> PrintedLines(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string FileText(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 void WaitUntil(const std::string& what, const std::function<bool()>& holds) {
@@ -158,7 +143,7 @@ fi)",
 std::vector<std::string> WaitingTasks(const fs::path& marks) {
   std::vector<std::string> tasks;
   for (const auto& entry : fs::directory_iterator(marks)) {
-    if (entry.path().filename() != "go" && !FileText(entry.path()).empty()) {
+    if (entry.path().filename() != "go" && !TextOf(entry.path()).empty()) {
       tasks.push_back(entry.path().filename());
     }
   }
@@ -167,8 +152,8 @@ std::vector<std::string> WaitingTasks(const fs::path& marks) {
 
 // Whether the process whose number stands in a file is there, and no zombie.
 bool IsAlive(const fs::path& mark) {
-  const std::string number = PrintedLines(FileText(mark)).at(0);
-  const std::string status = FileText(fs::path("/proc") / number / "status");
+  const std::string number = LinesOf(TextOf(mark)).at(0);
+  const std::string status = TextOf(fs::path("/proc") / number / "status");
   return !status.empty() && status.find("State:\tZ") == std::string::npos;
 }
 
@@ -177,12 +162,12 @@ std::string StateOf(const std::string& job) {
   return Output("squeue", {"-h", "-r", "-t", "all", "-o", "%T", "-j", job});
 }
 
-std::vector<std::string> StatesOf(const std::string& array) { return PrintedLines(StateOf(array)); }
+std::vector<std::string> StatesOf(const std::string& array) { return LinesOf(StateOf(array)); }
 
 // Slurm lets tasks that it has queued again wait for so long.
 void DoNotWaitTwoMinutes(const std::string& array) {
   for (const std::string& line :
-       PrintedLines(Output("squeue", {"-h", "-r", "-t", "PD", "-o", "%r %i", "-j", array}))) {
+       LinesOf(Output("squeue", {"-h", "-r", "-t", "PD", "-o", "%r %i", "-j", array}))) {
     if (!line.starts_with("BeginTime ")) continue;
     const std::string job = line.substr(line.find(' ') + 1);
     // It may have begun by now.
@@ -282,7 +267,7 @@ class BatchOnSlurm : public testing::Test {
     std::string text;
     for (const auto& entry : fs::directory_iterator(folder_ / "shared")) {
       if (entry.path().extension() == ".out") {
-        text += entry.path().filename().string() + ":\n" + FileText(entry.path());
+        text += entry.path().filename().string() + ":\n" + TextOf(entry.path());
       }
     }
     return text;

@@ -34,13 +34,6 @@ std::vector<std::string> And(std::vector<std::string> flags, const std::string& 
   return flags;
 }
 
-std::vector<std::string> LinesOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::vector<std::string> CellsOf(const std::string& line) {
   std::istringstream row(line);
   std::vector<std::string> cells;

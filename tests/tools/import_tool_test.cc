@@ -5,13 +5,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "expect_refusal.h"
 #include "real_data.h"
 #include "run_tool.h"
+#include "saved_files.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,13 +31,6 @@ const std::string kBlueRov = std::string(FATHOM_DATA_DIR) + "/vehicles/bluerov2_
 
 ToolRun Import(const std::vector<std::string>& arguments) {
   return RunToolBinary("fathom_import", arguments);
-}
-
-std::string TextOf(const Path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 TEST(ImportTool, MakesALogOfASpreadsheet) {

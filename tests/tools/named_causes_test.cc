@@ -20,8 +20,8 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using Path = std::filesystem::path;
 
-struct NamedCause {
-  explicit NamedCause(const Path& folder, const Path& log) {
+struct DiagnosedLog {
+  explicit DiagnosedLog(const Path& folder, const Path& log) {
     const Path verdict = folder / "verdict.json", report = folder / "page.html";
     run = RunToolBinary("fathom_diagnose",
                         {Flag("log", log), Flag("verdict", verdict), Flag("report", report)});
@@ -37,7 +37,7 @@ struct NamedCause {
 // The dead zone is certain in the training data, and a model that has it predicts the rest worse.
 TEST(NamedCauses, AreNoneWhereUnseenDataGetWorse) {
   const Path folder = EmptyTestFolder();
-  const NamedCause diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=6", 1));
+  const DiagnosedLog diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=6", 1));
   EXPECT_THAT(diagnosed.run.out, StartsWith("surge: unexplained\n"));
   EXPECT_EQ(diagnosed.json["causes"], nlohmann::json::array());
   EXPECT_THAT(diagnosed.json["sentence"].get<std::string>(),
@@ -48,7 +48,7 @@ TEST(NamedCauses, AreNoneWhereUnseenDataGetWorse) {
 // A smaller one, of which too little is held out: a loss of 1 % that may be a gain of 69 %.
 TEST(NamedCauses, MayBeThereWhereUnseenDataDoNotDecide) {
   const Path folder = EmptyTestFolder();
-  const NamedCause diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=3", 1));
+  const DiagnosedLog diagnosed(folder, SmallLogThatLoses(folder, "thrust_dead_zone:width=3", 1));
   EXPECT_THAT(diagnosed.json["sentence"].get<std::string>(),
               HasSubstr("may come from a thruster dead zone"));
   EXPECT_THAT(diagnosed.run.out,
@@ -71,7 +71,7 @@ TEST(NamedCauses, AreToldByTheirPlaceWhereManyFitAsWell) {
                                "thrust_fade:rate=0.002",
                                1,
                                folder / "log");
-  const NamedCause diagnosed(folder, log);
+  const DiagnosedLog diagnosed(folder, log);
   ASSERT_EQ(diagnosed.json["causes"].size(), 1u) << diagnosed.run.out;
   ASSERT_GT(diagnosed.json["causes"][0]["alternatives"].size(), 4u);
   EXPECT_THAT(
@@ -85,8 +85,8 @@ TEST(NamedCauses, AreToldByTheirPlaceWhereManyFitAsWell) {
 // A step of 16 N where the thrust is 12 N rms.
 TEST(NamedCauses, AreNoPayloadWhereAStepIsAsLargeAsTheThrust) {
   const Path folder = EmptyTestFolder();
-  const NamedCause diagnosed(folder,
-                             SmallLogWith(folder, "log", "buoyancy_step:jump=16:time=30", 1));
+  const DiagnosedLog diagnosed(folder,
+                               SmallLogWith(folder, "log", "buoyancy_step:jump=16:time=30", 1));
   EXPECT_EQ(diagnosed.json["causes"][0]["effect"], "buoyancy_step");
   EXPECT_THAT(diagnosed.run.out, HasSubstr("The step is as large as the thrust itself."));
   EXPECT_THAT(diagnosed.run.out, Not(HasSubstr("Look for a payload dropped")));

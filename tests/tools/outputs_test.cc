@@ -22,14 +22,14 @@ namespace {
 using ::testing::HasSubstr;
 using Path = std::filesystem::path;
 
-struct Written {
+struct OutputFlag {
   std::string tool;
   std::vector<std::string> flags;  // beside --log
   std::string output;              // the flag under test
 };
 
 // Every flag of every tool that names a file to write beside a log.
-std::vector<Written> EveryOutput(const Path& folder) {
+std::vector<OutputFlag> EveryOutput(const Path& folder) {
   const std::string model = WriteTestFile(folder / "model.json", SmallModelJson()).string();
   return {{"fathom_identify", {"--dof=surge"}, "model"},
           {"fathom_compare", {}, "json"},
@@ -47,7 +47,7 @@ std::vector<Written> EveryOutput(const Path& folder) {
 TEST(Outputs, DoNotTakeThePlaceOfAFileOfTheLog) {
   const Path folder = EmptyTestFolder();
   const Path log = WriteSmallLog(folder / "log");
-  for (const Written& asked : EveryOutput(folder)) {
+  for (const OutputFlag& asked : EveryOutput(folder)) {
     auto arguments = asked.flags;
     const std::string file = (log / "command.csv").string();
     arguments.push_back(Flag("log", log));

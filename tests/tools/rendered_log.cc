@@ -3,19 +3,9 @@
 
 #include "rendered_log.h"
 
-#include <fstream>
-#include <sstream>
-
 namespace fathom {
 
 namespace fs = std::filesystem;
-
-std::string Bytes(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 ToolRun Track(const fs::path& log, std::vector<std::string> more) {
   more.push_back("--log=" + log.string());

@@ -11,11 +11,9 @@
 
 #include "bundled_data.h"
 #include "run_tool.h"
+#include "saved_files.h"
 
 namespace fathom {
-
-// The bytes of a file.
-std::string Bytes(const std::filesystem::path& path);
 
 // fathom_track on a log.
 ToolRun Track(const std::filesystem::path& log, std::vector<std::string> more);

@@ -14,6 +14,8 @@ namespace fathom {
 // The bytes of a file that a tool has written; empty if there is none.
 std::string TextOf(const std::filesystem::path& path);
 
+std::vector<std::string> LinesOf(const std::string& text);
+
 // What a page says above its first section: title, first sentences and tiles.
 std::string HeaderOf(const std::string& page);
 

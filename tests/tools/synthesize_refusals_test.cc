@@ -23,7 +23,7 @@ using Path = std::filesystem::path;
 
 const TwoColumnCsv kReplay = {"replay.csv", "tau_surge", "t, tau_surge", false};
 
-constexpr char kTwoForces[] =
+constexpr char kReplayExperiment[] =
     "name: replay\n"
     "duration: 30\n"
     "command_rate: 10\n"
@@ -36,7 +36,7 @@ constexpr char kTwoForces[] =
 struct SynthesisInputs {
   Path folder = EmptyTestFolder();
   Path vehicle = WriteTestFile(folder / "vehicle.yaml", SmallVehicleYaml());
-  Path experiment = WriteTestFile(folder / "experiment.yaml", kTwoForces);
+  Path experiment = WriteTestFile(folder / "experiment.yaml", kReplayExperiment);
   Path replay = WriteTestFile(folder / "replay.csv", SmallCommandCsv());
 
   std::vector<std::string> Arguments() const {
@@ -94,7 +94,7 @@ TEST(SynthesizeRefusals, AFileThatSaysWhatItMayNot) {
             ": long",
             ":2: key 'duration' is 'long'",
             ", expected a finite "}}) {
-    const std::string good = file == vehicle ? SmallVehicleYaml() : kTwoForces;
+    const std::string good = file == vehicle ? SmallVehicleYaml() : kReplayExperiment;
     WriteTestFile(file, Replaced(good, from, to));
     EXPECT_THAT(inputs.ExpectedRefusal(),
                 AllOf(StartsWith("fathom_synthesize: " + file.string() + place), HasSubstr(said)));

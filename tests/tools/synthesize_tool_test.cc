@@ -6,14 +6,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bundled_data.h"
+#include "expect_refusal.h"
 #include "run_tool.h"
+#include "saved_files.h"
 #include <gmock/gmock.h>
 
 namespace fathom {
@@ -38,29 +38,16 @@ ToolRun Synthesize(const std::vector<std::string>& arguments) {
   return RunToolBinary("fathom_synthesize", arguments);
 }
 
-std::string Bytes(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 // Names of what is in a folder.
-std::vector<std::string> Entries(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
-  return names;
-}
-
 TEST(SynthesizeTool, WritesTheBundledLogAgainByteForByte) {
   const fs::path out = EmptyTestFolder() / "flatfish";
   RunsWell(Synthesize({kVehicle, kExperiment, "--seed=1", Flag("out", out)}));
   for (const std::string file : {"log.yaml", "command.csv", "velocity.csv"}) {
-    const std::string bundled = Bytes(kData + "/flatfish/" + file);
+    const std::string bundled = TextOf(kData + "/flatfish/" + file);
     EXPECT_GT(bundled.size(), 100u) << file;
-    EXPECT_TRUE(bundled == Bytes(out / file)) << file << " differs from the bundled one";
+    EXPECT_TRUE(bundled == TextOf(out / file)) << file << " differs from the bundled one";
   }
-  EXPECT_THAT(Entries(out), testing::SizeIs(3));
+  EXPECT_THAT(ListOf(out), testing::SizeIs(3));
 }
 
 TEST(SynthesizeTool, SaysWhatItWroteAndWritesALogThatReads) {
@@ -93,19 +80,19 @@ TEST(SynthesizeTool, HidesEffectsAndTellsOnlyTheTruthFile) {
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("hidden: surge.thruster_lag: time_constant = 0.5 s\n"),
                     HasSubstr("hidden: surge.buoyancy_step: jump = ")));
-  EXPECT_THAT(Bytes(folder / "truth.json"),
+  EXPECT_THAT(TextOf(folder / "truth.json"),
               AllOf(HasSubstr("fathom-truth-1"), HasSubstr("thruster_lag"), HasSubstr("851.05")));
-  EXPECT_EQ(Bytes(folder / "hidden/log.yaml"), Bytes(folder / "plain/log.yaml"));
-  EXPECT_EQ(Bytes(folder / "hidden/command.csv"), Bytes(folder / "plain/command.csv"));
-  EXPECT_NE(Bytes(folder / "hidden/velocity.csv"), Bytes(folder / "plain/velocity.csv"));
-  EXPECT_THAT(Entries(folder / "hidden"), testing::SizeIs(3));
+  EXPECT_EQ(TextOf(folder / "hidden/log.yaml"), TextOf(folder / "plain/log.yaml"));
+  EXPECT_EQ(TextOf(folder / "hidden/command.csv"), TextOf(folder / "plain/command.csv"));
+  EXPECT_NE(TextOf(folder / "hidden/velocity.csv"), TextOf(folder / "plain/velocity.csv"));
+  EXPECT_THAT(ListOf(folder / "hidden"), testing::SizeIs(3));
 }
 
 // A coupled vehicle under its bundled experiment, for twenty seconds.
 std::vector<std::string> ShortCoupledRun(const std::string& vehicle,
                                          const std::string& experiment,
                                          const fs::path& folder) {
-  std::string lines = Bytes(kData + "/experiments/" + experiment + ".yaml");
+  std::string lines = TextOf(kData + "/experiments/" + experiment + ".yaml");
   const auto replace = [&](const std::string& from, const std::string& to) {
     lines.replace(lines.find(from), from.size(), to);
   };
@@ -135,9 +122,9 @@ TEST(SynthesizeTool, PlaysThePublishedCoupledVehicles) {
     EXPECT_EQ(log.fins.has_value(), vehicle == "remus100");
     EXPECT_EQ(log.pose->time.size(), 200u);
     // The truth is beside the log, not in it.
-    EXPECT_THAT(Bytes(folder / vehicle / "vehicle.yaml"),
+    EXPECT_THAT(TextOf(folder / vehicle / "vehicle.yaml"),
                 AllOf(HasSubstr("mass: "), testing::Not(HasSubstr("coupled_model"))));
-    EXPECT_THAT(Bytes(folder / (vehicle + ".json")), HasSubstr("\"inertia.sway.roll\""));
+    EXPECT_THAT(TextOf(folder / (vehicle + ".json")), HasSubstr("\"inertia.sway.roll\""));
   }
 }
 
@@ -177,16 +164,16 @@ TEST(SynthesizeTool, ReplacesALogOnlyWhenTold) {
       "--experiment=" + WriteTestFile(folder / "e.yaml", kShortExperiment).string();
   const std::string out = Flag("out", folder / "log");
   RunsWell(Synthesize({kVehicle, experiment, out}));
-  const std::string first = Bytes(folder / "log/velocity.csv");
+  const std::string first = TextOf(folder / "log/velocity.csv");
 
   const ToolRun refused = Synthesize({kVehicle, experiment, out, "--seed=2"});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_EQ(refused.out, "");
   EXPECT_THAT(refused.err, AllOf(HasSubstr("is not empty"), HasSubstr("--overwrite")));
-  EXPECT_EQ(Bytes(folder / "log/velocity.csv"), first);
+  EXPECT_EQ(TextOf(folder / "log/velocity.csv"), first);
 
   RunsWell(Synthesize({kVehicle, experiment, out, "--seed=2", "--overwrite"}));
-  EXPECT_NE(Bytes(folder / "log/velocity.csv"), first);
+  EXPECT_NE(TextOf(folder / "log/velocity.csv"), first);
 }
 
 TEST(SynthesizeTool, WritesTheTruthOnlyBesideALogThatIsThere) {
@@ -229,7 +216,7 @@ TEST(SynthesizeTool, RefusesAPlaceThatCannotBeWritten) {
   const ToolRun below = Synthesize({kVehicle, kExperiment, Flag("out", file / "log")});
   EXPECT_EQ(below.exit_code, 1);
   EXPECT_THAT(below.err, HasSubstr("cannot write"));
-  EXPECT_EQ(Bytes(file), "text");
+  EXPECT_EQ(TextOf(file), "text");
 }
 
 // The frame that all tools share, tools/tool.h.
@@ -285,11 +272,11 @@ TEST(SynthesizeTool, FilmsTheExperimentAsDetectionsOrImages) {
   const std::string film = "--film=" + kData + "/films/wall_four.yaml";
   const fs::path corners = folder / "corners";
   RunsWell(Synthesize({kVehicle, experiment, film, Flag("out", corners)}));
-  const std::string detections = Bytes(corners / "detections.csv");
+  const std::string detections = TextOf(corners / "detections.csv");
   // Four tags in each of 40 frames, below the column names.
   EXPECT_EQ(std::count(detections.begin(), detections.end(), '\n'), 161);
   for (const std::string file : {"camera", "tags", "mount"}) {
-    EXPECT_GT(Bytes(corners / (file + ".yaml")).size(), 50u) << file;
+    EXPECT_GT(TextOf(corners / (file + ".yaml")).size(), 50u) << file;
   }
 
   const fs::path images = folder / "images";
@@ -302,9 +289,9 @@ TEST(SynthesizeTool, FilmsTheExperimentAsDetectionsOrImages) {
   const ToolRun run = RunsWell(Synthesize({kVehicle, few, film, "--render", Flag("out", images)}));
   // Where nobody watches a line of progress, too.
   EXPECT_THAT(run.err, testing::MatchesRegex("drawing 3 images, about [1-9][0-9]* MB\n"));
-  EXPECT_EQ(Bytes(images / "frames.csv"),
+  EXPECT_EQ(TextOf(images / "frames.csv"),
             "t,file\n0,frames/000000.png\n0.1,frames/000001.png\n0.2,frames/000002.png\n");
-  EXPECT_THAT(Bytes(images / "frames/000002.png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(TextOf(images / "frames/000002.png"), StartsWith("\x89PNG"));
   EXPECT_FALSE(fs::exists(images / "detections.csv"));
 }
 

@@ -30,7 +30,7 @@ TEST(TrackTool, WritesAnOverlayVideo) {
   const fs::path folder = EmptyTestFolder();
   RunsWell(Track(RenderedLog(),
                  {Flag("out", folder / "tracked"), Flag("overlay", folder / "overlay.avi")}));
-  EXPECT_THAT(Bytes(folder / "overlay.avi"), StartsWith("RIFF"));
+  EXPECT_THAT(TextOf(folder / "overlay.avi"), StartsWith("RIFF"));
   EXPECT_EQ(ListOf(folder).size(), ListOf(folder / "tracked").size() + 2);
 }
 
@@ -39,7 +39,7 @@ TEST(TrackTool, SaysWhatIsMissingInAnOverlayOfDetections) {
   const fs::path tracked = log.parent_path() / "tracked";
   RunsWell(Track(log, {Flag("out", tracked)}));
   // The fourth row, of the first frame's last tag, a little later; and a frame that is not there.
-  std::string csv = Bytes(tracked / "detections.csv");
+  std::string csv = TextOf(tracked / "detections.csv");
   std::size_t row = csv.find('\n') + 1;
   for (int i = 0; i < 3; ++i) row = csv.find('\n', row) + 1;
   csv.replace(row, csv.find(',', row) - row, "0.05");

@@ -62,7 +62,7 @@ TEST(TrackTool, DoesNotReplaceALogThatHoldsImages) {
   fs::remove_all(other / "frames");
   WriteTestFile(other / "dive.mp4", "a video");
   EXPECT_EQ(refusal(), holds("dive.mp4"));
-  EXPECT_EQ(Bytes(other / "dive.mp4"), "a video");
+  EXPECT_EQ(TextOf(other / "dive.mp4"), "a video");
   fs::remove(other / "dive.mp4");
   WriteTestFile(other / "frame_times.csv", "frame,t\n0,0\n1,1\n");
   EXPECT_EQ(refusal(), holds("frame_times.csv"));
@@ -107,7 +107,7 @@ TEST(TrackTool, KeepsOutputsOutOfTheFolderThatIsReplaced) {
 TEST(TrackTool, DoesNotWriteOverWhatItReads) {
   const fs::path log = CopyOfTheLog();
   const fs::path image = log / "frames/000003.png";
-  const std::string before = Bytes(image);
+  const std::string before = TextOf(image);
   for (const std::string flag : {"--overlay", "--summary"}) {
     EXPECT_EQ(ExpectRefusal("fathom_track",
                             {Flag("log", log), "--overwrite", flag + "=" + image.string()},
@@ -115,7 +115,7 @@ TEST(TrackTool, DoesNotWriteOverWhatItReads) {
               "fathom_track: " + flag + "=" + image.string() + ": is what --log=" + log.string() +
                   " was filmed as, expected another file.\n");
   }
-  EXPECT_EQ(Bytes(image), before);
+  EXPECT_EQ(TextOf(image), before);
 }
 
 // What somebody else detected stays as it is, to the byte and with its further columns.
@@ -123,16 +123,16 @@ TEST(TrackTool, LeavesTheDetectionsAloneThatItStartsFrom) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
   RunsWell(Track(log, {Flag("out", folder / "first")}));
-  std::istringstream rows(Bytes(folder / "first/detections.csv"));
+  std::istringstream rows(TextOf(folder / "first/detections.csv"));
   std::string with_margin;
   for (std::string row; std::getline(rows, row);) {
     with_margin += row + (with_margin.empty() ? ",margin\n" : ",0.123456789\n");
   }
   WriteTestFile(folder / "first/detections.csv", with_margin);
   RunsWell(Track(folder / "first", {Flag("out", folder / "second")}));
-  EXPECT_EQ(Bytes(folder / "second/detections.csv"), with_margin);
+  EXPECT_EQ(TextOf(folder / "second/detections.csv"), with_margin);
   RunsWell(Track(folder / "first", {"--overwrite"}));
-  EXPECT_EQ(Bytes(folder / "first/detections.csv"), with_margin);
+  EXPECT_EQ(TextOf(folder / "first/detections.csv"), with_margin);
 }
 
 TEST(TrackTool, RefusesFlagsOfTheDetectionWhereThereIsNone) {
@@ -242,7 +242,7 @@ TEST(TrackTool, RefusesALogWithoutCalibrationOrWithAnothers) {
   const fs::path log = CopyOfTheLog();
   const fs::path folder = log.parent_path();
   const std::vector<std::string> arguments = {Flag("log", log), Flag("out", folder / "tracked")};
-  const std::string camera = Bytes(log / "camera.yaml");
+  const std::string camera = TextOf(log / "camera.yaml");
   std::string half = camera;
   half.replace(half.find("image_width: 800"), 16, "image_width: 700");
   WriteTestFile(log / "camera.yaml", half);
@@ -251,7 +251,7 @@ TEST(TrackTool, RefusesALogWithoutCalibrationOrWithAnothers) {
                         ": is 800 x 600 pixels, expected 700 x 600 as in " +
                         (log / "camera.yaml").string()));
   for (const char* file : {"camera.yaml", "tags.yaml", "mount.yaml"}) {
-    const std::string text = file == std::string("camera.yaml") ? camera : Bytes(log / file);
+    const std::string text = file == std::string("camera.yaml") ? camera : TextOf(log / file);
     fs::remove(log / file);
     EXPECT_THAT(ExpectRefusal("fathom_track", arguments, folder), HasSubstr(file)) << file;
     WriteTestFile(log / file, text);

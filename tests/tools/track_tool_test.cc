@@ -54,7 +54,7 @@ TEST(TrackTool, FindsTheTrajectoryOfRenderedImages) {
       EXPECT_GT(std[row], 1e-5) << axis;
     }
   }
-  const auto summary = nlohmann::json::parse(Bytes(folder / "track.json"));
+  const auto summary = nlohmann::json::parse(TextOf(folder / "track.json"));
   EXPECT_EQ(summary["schema"], "fathom-track-1");
   EXPECT_EQ(summary["frames"]["expected"], 12);
   EXPECT_EQ(summary["frames"]["with_pose"], 12);
@@ -62,9 +62,9 @@ TEST(TrackTool, FindsTheTrajectoryOfRenderedImages) {
   EXPECT_EQ(summary["detections"]["sides_not_followed"], 0);
   EXPECT_LT(summary["fit"]["corner_sigma_px"], 0.15);
   EXPECT_GT(summary["fit"]["corner_sigma_px"], 0.01);
-  EXPECT_THAT(Bytes(folder / "sheet.png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(TextOf(folder / "sheet.png"), StartsWith("\x89PNG"));
   for (const char* file : {"log.yaml", "command.csv", "camera.yaml", "tags.yaml", "mount.yaml"}) {
-    EXPECT_EQ(Bytes(folder / "tracked" / file), Bytes(log / file)) << file;
+    EXPECT_EQ(TextOf(folder / "tracked" / file), TextOf(log / file)) << file;
   }
 
   // The same poses from the detections alone.
@@ -88,7 +88,7 @@ TEST(TrackTool, CountsDamagedImagesAndGoesOn) {
               HasSubstr((log / "frames.csv").string() + ":6: " + image.string() +
                         ": cannot decode this image: "));
   EXPECT_THAT(run.err, HasSubstr("frames/000005.png: there is no such file. Check the path.\n"));
-  const auto json = nlohmann::json::parse(Bytes(summary));
+  const auto json = nlohmann::json::parse(TextOf(summary));
   EXPECT_EQ(json["frames"]["expected"], 12);
   EXPECT_EQ(json["frames"]["unreadable"], 2);
   EXPECT_EQ(json["frames"]["with_pose"], 10);
@@ -97,12 +97,12 @@ TEST(TrackTool, CountsDamagedImagesAndGoesOn) {
 
 TEST(TrackTool, CountsTagsThatAreNotInTheMap) {
   const fs::path log = CopyOfTheLog();
-  WriteTestFile(log / "tags.yaml", Bytes(kData + "/films/wall_one_tag.yaml"));
+  WriteTestFile(log / "tags.yaml", TextOf(kData + "/films/wall_one_tag.yaml"));
   const fs::path summary = log.parent_path() / "track.json";
   const ToolRun run =
       RunsWell(Track(log, {Flag("out", log.parent_path() / "tracked"), Flag("summary", summary)}));
   // Tags 5 and 6 in twelve frames; tag 9 is of a family that nobody looks for now.
-  const auto unused = nlohmann::json::parse(Bytes(summary))["detections"]["sightings_not_used"];
+  const auto unused = nlohmann::json::parse(TextOf(summary))["detections"]["sightings_not_used"];
   EXPECT_EQ(unused.size(), 24u);
   EXPECT_EQ(unused[0]["reason"], "is not in the map");
   EXPECT_THAT(run.out,
@@ -127,7 +127,7 @@ TEST(TrackTool, SaysWhichTagsItSeesWhenNoneIsInTheMap) {
               HasSubstr("Not used: 36 sightings of a tag that is not in the map: tag36h11 4 (12 "
                         "times), tag36h11 5 (12 times), tag36h11 6 (12 times).\n"));
   EXPECT_THAT(run.err, Not(HasSubstr("no tag")));
-  const auto frames = nlohmann::json::parse(Bytes(summary))["frames"];
+  const auto frames = nlohmann::json::parse(TextOf(summary))["frames"];
   EXPECT_EQ(frames["without_tags"], 0);
   EXPECT_EQ(frames["times_with_unused_tags_only"].size(), 12u);
 }
@@ -149,13 +149,13 @@ TEST(TrackTool, TracksTheVideoThatAnImportPutBesideARecording) {
                                      Flag("map", folder / "map.yaml"),
                                      Flag("out", folder / "log")});
   EXPECT_THAT(imported.out, HasSubstr("note: the motion is in the video. This tracks it: "));
-  EXPECT_EQ(Bytes(folder / "log/dive.avi"), Bytes(folder / "dive.avi"));
+  EXPECT_EQ(TextOf(folder / "log/dive.avi"), TextOf(folder / "dive.avi"));
   RunsWell("fathom_import",
            {Flag("from", folder / "vehicle.csv"),
             Flag("map", folder / "map.yaml"),
             Flag("out", folder / "log"),
             "--overwrite"});
-  EXPECT_EQ(Bytes(folder / "log/dive.avi"), Bytes(folder / "dive.avi"));
+  EXPECT_EQ(TextOf(folder / "log/dive.avi"), TextOf(folder / "dive.avi"));
 
   RunsWell(Track(folder / "log", {Flag("out", folder / "out")}));
   const CsvTable first = PosesIn(folder / "first"), again = PosesIn(folder / "out");
@@ -176,7 +176,7 @@ TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   RunsWell(Track(log, {Flag("overlay", folder / "dive.avi"), "--overwrite"}));
   const fs::path dive = folder / "dive";
   for (const char* file : {"camera.yaml", "tags.yaml", "mount.yaml", "command.csv"}) {
-    WriteTestFile(dive / file, Bytes(log / file));
+    WriteTestFile(dive / file, TextOf(log / file));
   }
   fs::rename(folder / "dive.avi", dive / "dive.avi");
   std::string times = "frame,t\n";
@@ -195,7 +195,7 @@ TEST(TrackTool, WritesALogThatHoldsWhatItNames) {
   EXPECT_EQ(out.dive, "harbour");
   EXPECT_EQ(out.video, "");
   EXPECT_EQ(out.vehicle, "rov.yaml");
-  EXPECT_EQ(Bytes(folder / "out/rov.yaml"), Bytes(folder / "rov.yaml"));
+  EXPECT_EQ(TextOf(folder / "out/rov.yaml"), TextOf(folder / "rov.yaml"));
   const std::vector<std::string> again = {Flag("log", folder / "out"),
                                           Flag("out", folder / "again")};
   RunsWell("fathom_track", again);
